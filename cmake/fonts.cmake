@@ -1,0 +1,18 @@
+# The fonts that are built into the program, as Debian packages them. Each path is a cache variable of its own.
+set(fonts)
+function(find_font name package)
+  string(MAKE_C_IDENTIFIER "NORMALSCOPE_FONT_${name}" variable)
+  file(GLOB_RECURSE candidates /usr/share/fonts/*/${name} /usr/local/share/fonts/*/${name})
+  list(APPEND candidates "")
+  list(GET candidates 0 path)
+  set(${variable} "${path}" CACHE FILEPATH "The font ${name}")
+  if(NOT EXISTS "${${variable}}")
+    message(FATAL_ERROR "${name} was not found: install ${package}, or set ${variable} to its path")
+  endif()
+  set(fonts ${fonts} "fonts/${name}=${${variable}}" PARENT_SCOPE)
+endfunction()
+
+find_font(OpenSans-Regular.ttf fonts-open-sans)
+find_font(OpenSans-Semibold.ttf fonts-open-sans)
+find_font(OpenSans-Bold.ttf fonts-open-sans)
+find_font(DejaVuSans.ttf fonts-dejavu-core)
