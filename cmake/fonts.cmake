@@ -1,12 +1,12 @@
-# The fonts that are built into the program, as Debian packages them. Each path is a cache variable of its own.
+# The fonts that are built into the program, as distributions package them. Each path is a cache variable of its own.
 set(fonts)
 function(find_font name package)
   string(MAKE_C_IDENTIFIER "NORMALSCOPE_FONT_${name}" variable)
-  file(GLOB_RECURSE candidates /usr/share/fonts/*/${name} /usr/local/share/fonts/*/${name})
-  list(APPEND candidates "")
-  list(GET candidates 0 path)
-  set(${variable} "${path}" CACHE FILEPATH "The font ${name}")
-  if(NOT EXISTS "${${variable}}")
+  find_file(${variable} ${name}
+    PATHS /usr/share/fonts /usr/local/share/fonts
+    PATH_SUFFIXES truetype/open-sans truetype/dejavu open-sans dejavu TTF
+    DOC "The font ${name}")
+  if(NOT ${variable})
     message(FATAL_ERROR "${name} was not found: install ${package}, or set ${variable} to its path")
   endif()
   set(fonts ${fonts} "fonts/${name}=${${variable}}" PARENT_SCOPE)
