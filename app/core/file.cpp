@@ -1,0 +1,78 @@
+#include "core/file.h"
+
+#include "core/error.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <system_error>
+
+namespace normalscope {
+
+namespace {
+
+struct Close {
+    void operator()(std::FILE* f) const { std::fclose(f); }
+};
+using File = std::unique_ptr<std::FILE, Close>;
+
+[[noreturn]] void fail(const std::filesystem::path& file, std::string_view what, int error) {
+    throw InputError(file.string() + ": " + std::string(what) + ": " + std::strerror(error));
+}
+
+void write_all(const std::filesystem::path& shown_as, const std::filesystem::path& to, std::string_view bytes) {
+    errno = 0;
+    std::FILE* file = std::fopen(to.c_str(), "wb");
+    if (!file) fail(shown_as, "cannot be written", errno);
+    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fflush(file) == 0;
+    const int error = errno;
+    // A full disk may show itself only when the file is closed.
+    if (std::fclose(file) != 0 || !written) fail(shown_as, "cannot be written", written ? errno : error);
+}
+
+}  // namespace
+
+std::string read_file(const std::filesystem::path& file, std::size_t largest) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file, ignored)) throw InputError(file.string() + ": is a folder, not a file");
+    errno = 0;
+    const File in(std::fopen(file.c_str(), "rb"));
+    if (!in) fail(file, "cannot be read", errno);
+    std::string bytes;
+    char block[1 << 16];
+    while (const std::size_t got = std::fread(block, 1, sizeof block, in.get())) {
+        bytes.append(block, got);
+        if (bytes.size() > largest)
+            throw InputError(file.string() + ": is larger than " + std::to_string(largest >> 20) + " MiB, the most that is read");
+    }
+    if (std::ferror(in.get())) fail(file, "cannot be read", errno);
+    return bytes;
+}
+
+void write_file(const std::filesystem::path& file, std::string_view bytes) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(file, error);
+    if (std::filesystem::is_directory(status)) throw InputError(file.string() + ": is a folder, not a file");
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return write_all(file, file, bytes);
+
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+    if (!std::filesystem::is_directory(folder, error))
+        throw InputError(file.string() + ": cannot be written: there is no folder " + folder.string());
+    std::filesystem::path partial = file;
+    partial += ".part" + std::to_string(::getpid());
+    try {
+        write_all(file, partial, bytes);
+        std::filesystem::rename(partial, file);
+    } catch (const std::filesystem::filesystem_error& e) {
+        std::filesystem::remove(partial, error);
+        fail(file, "cannot be written", e.code().value());
+    } catch (...) {
+        std::filesystem::remove(partial, error);
+        throw;
+    }
+}
+
+}  // namespace normalscope

@@ -1,0 +1,135 @@
+#include "core/normal_rules.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace normalscope {
+
+namespace {
+
+double largest_entry(const glm::dmat3& a) {
+    double largest = 0.0;
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r) largest = std::max(largest, std::abs(a[c][r]));
+    return largest;
+}
+
+// Any unit vector perpendicular to the unit vector n (Duff et al., "Building an orthonormal basis, revisited", 2017).
+glm::dvec3 perpendicular(const glm::dvec3& n) {
+    const double sign = std::copysign(1.0, n.z);
+    const double a = -1.0 / (sign + n.z);
+    return {1.0 + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
+}
+
+}  // namespace
+
+std::string_view name(Rule rule) {
+    switch (rule) {
+        case Rule::Naive: return "naive";
+        case Rule::InverseTranspose: return "inverse-transpose";
+        case Rule::Cofactor: return "cofactor";
+    }
+    return "";
+}
+
+std::string_view formula(Rule rule) {
+    switch (rule) {
+        case Rule::Naive: return "M n";
+        case Rule::InverseTranspose: return "(M\u207B\u00B9)\u1D40 n";
+        case Rule::Cofactor: return "cof(M) n";
+    }
+    return "";
+}
+
+SingularValues singular_values(const glm::dmat3& a) {
+    const double scale = largest_entry(a);
+    if (scale == 0.0) return {.u = glm::dmat3(1.0), .sigma = glm::dvec3(0.0), .v = glm::dmat3(1.0)};
+
+    // Rotate pairs of columns until all are perpendicular: then W = A V has columns σᵢ uᵢ.
+    glm::dmat3 w = a / scale, v(1.0);
+    constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+    for (int sweep = 0; sweep < 40; ++sweep) {
+        bool rotated = false;
+        for (const auto& [i, j] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}}) {
+            const double alpha = glm::dot(w[i], w[i]), beta = glm::dot(w[j], w[j]), gamma = glm::dot(w[i], w[j]);
+            if (std::abs(gamma) <= kEpsilon * std::sqrt(alpha * beta)) continue;
+            rotated = true;
+            const double zeta = (beta - alpha) / (2.0 * gamma);
+            const double t = std::copysign(1.0, zeta) / (std::abs(zeta) + std::hypot(1.0, zeta));
+            const double c = 1.0 / std::hypot(1.0, t), s = c * t;
+            for (glm::dmat3* m : {&w, &v}) {
+                const glm::dvec3 mi = (*m)[i];
+                (*m)[i] = c * mi - s * (*m)[j];
+                (*m)[j] = s * mi + c * (*m)[j];
+            }
+        }
+        if (!rotated) break;
+    }
+
+    std::array<int, 3> order{0, 1, 2};
+    std::sort(order.begin(), order.end(), [&](int i, int j) { return glm::length(w[i]) > glm::length(w[j]); });
+    SingularValues result;
+    for (int k = 0; k < 3; ++k) {
+        const int from = order[static_cast<std::size_t>(k)];
+        const double length = glm::length(w[from]);
+        result.sigma[k] = scale * length;
+        result.v[k] = v[from];
+        // Where σ vanishes, any u that completes the orthogonal matrix will do.
+        if (length > 0.0) result.u[k] = w[from] / length;
+        else if (k == 2) result.u[k] = glm::cross(result.u[0], result.u[1]);
+        else result.u[k] = perpendicular(result.u[0]);
+    }
+    return result;
+}
+
+std::optional<double> NormalMatrices::condition() const {
+    if (rank < 3) return std::nullopt;
+    return sigma.x / sigma.z;
+}
+
+std::optional<double> NormalMatrices::error_bound_degrees() const {
+    const std::optional<double> k = condition();
+    if (!k) return std::nullopt;
+    return glm::degrees(std::atan(*k) - std::atan(1.0 / *k));
+}
+
+std::optional<glm::dmat3> NormalMatrices::by(Rule rule) const {
+    switch (rule) {
+        case Rule::Naive: return naive;
+        case Rule::InverseTranspose: return inverse_transpose;
+        case Rule::Cofactor: return cofactor;
+    }
+    return std::nullopt;
+}
+
+NormalMatrices normal_matrices(const glm::dmat3& m3) {
+    NormalMatrices result;
+    result.naive = m3;
+    // The columns of the cofactor matrix are the cross products of the columns of M3: a surface element a × b goes to
+    // (M3 a) × (M3 b) = cof(M3)(a × b). No inverse and no division is involved.
+    result.cofactor = glm::dmat3(glm::cross(m3[1], m3[2]), glm::cross(m3[2], m3[0]), glm::cross(m3[0], m3[1]));
+    result.sigma = singular_values(m3).sigma;
+    const double smallest = 4.0 * std::numeric_limits<double>::epsilon() * result.sigma.x;
+    result.rank = 0;
+    for (int i = 0; i < 3; ++i) result.rank += result.sigma[i] > smallest ? 1 : 0;
+    result.determinant = result.rank == 3 ? glm::dot(m3[0], result.cofactor[0]) : 0.0;
+    if (result.rank < 2) result.cofactor = glm::dmat3(0.0);
+    if (result.rank == 3) result.inverse_transpose = result.cofactor / result.determinant;
+    return result;
+}
+
+std::optional<double> angle_degrees(const glm::dvec3& a, const glm::dvec3& b) {
+    const double la = glm::length(a), lb = glm::length(b);
+    if (!(la > 0.0) || !(lb > 0.0)) return std::nullopt;
+    // Kahan's form: acos loses half the digits near 0° and 180°.
+    const glm::dvec3 ua = a / la, ub = b / lb;
+    return glm::degrees(2.0 * std::atan2(glm::length(ua - ub), glm::length(ua + ub)));
+}
+
+}  // namespace normalscope

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace normalscope {
+
+/// How a normal is taken from object space to world space.
+enum class Rule { Naive, InverseTranspose, Cofactor };
+inline constexpr std::array kRules{Rule::Naive, Rule::InverseTranspose, Rule::Cofactor};
+
+/// The rule's name in scenes, options and numbers: "naive", "inverse-transpose", "cofactor".
+std::string_view name(Rule rule);
+/// The rule as mathematics, for labels: "M n", "(M⁻¹)ᵀ n", "cof(M) n".
+std::string_view formula(Rule rule);
+
+/// A = U diag(σ) Vᵀ with σ.x ≥ σ.y ≥ σ.z ≥ 0 and U, V orthogonal.
+struct SingularValues {
+    glm::dmat3 u{1.0};
+    glm::dvec3 sigma{1.0};
+    glm::dmat3 v{1.0};
+};
+
+/// One-sided Jacobi (Demmel & Veselić, 1992: small singular values keep their relative accuracy, which the usual
+/// detour over AᵀA loses).
+SingularValues singular_values(const glm::dmat3& a);
+
+/// The 3×3 matrix of each rule for one M3, with the numbers that tell whether and how they differ.
+struct NormalMatrices {
+    glm::dmat3 naive{1.0};                         ///< M3
+    std::optional<glm::dmat3> inverse_transpose;   ///< (M3⁻¹)ᵀ; empty where rank < 3
+    glm::dmat3 cofactor{1.0};                      ///< cof(M3) = det(M3) (M3⁻¹)ᵀ; exists always, zero where rank < 2
+    double determinant = 1.0;                      ///< det(M3), exactly 0 where rank < 3
+    int rank = 3;                                  ///< numerical rank: singular values above 4ε σmax
+    glm::dvec3 sigma{1.0};                         ///< singular values of M3, descending
+    /// σmax/σmin; empty where M3 has no inverse.
+    std::optional<double> condition() const;
+    /// The largest angle in degrees that any normal's naive image can be off: atan k − atan 1/k with k = σmax/σmin.
+    /// From Kantorovich's inequality cos ≥ 2 σmax σmin / (σmax² + σmin²), which is attained halfway between the
+    /// two stretch axes. Empty where M3 has no inverse.
+    std::optional<double> error_bound_degrees() const;
+    /// The matrix of `rule`; empty where it does not exist.
+    std::optional<glm::dmat3> by(Rule rule) const;
+};
+
+NormalMatrices normal_matrices(const glm::dmat3& m3);
+
+/// The angle between two directions in degrees, 0 to 180, accurate at both ends; empty if either is zero.
+std::optional<double> angle_degrees(const glm::dvec3& a, const glm::dvec3& b);
+
+}  // namespace normalscope

@@ -1,0 +1,34 @@
+#include "core/scene.h"
+
+#include "core/error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace normalscope {
+
+std::vector<ArrowKind> shown_arrows(const Scene& scene, Rule pane_rule) {
+    if (scene.view == ViewMode::Split) {  // each pane argues for its own rule
+        std::vector<ArrowKind> kinds{arrow_kind(pane_rule)};
+        if (!scene.arrows.show) return kinds;
+        std::erase_if(kinds, [&](ArrowKind k) { return std::ranges::count(*scene.arrows.show, k) == 0; });
+        if (std::ranges::count(*scene.arrows.show, ArrowKind::Object)) kinds.push_back(ArrowKind::Object);
+        return kinds;
+    }
+    if (scene.arrows.show) return *scene.arrows.show;
+    if (scene.view == ViewMode::Single) return {arrow_kind(pane_rule)};
+    if (pane_rule == Rule::Cofactor) return {ArrowKind::Object, ArrowKind::Naive, ArrowKind::InverseTranspose, ArrowKind::Cofactor};
+    return {ArrowKind::Object, ArrowKind::Naive, ArrowKind::InverseTranspose};
+}
+
+Transform<World, Object> world_from_object(const Scene& scene) {
+    const glm::dmat4 m = product(scene.stack);
+    for (int c = 0; c < 4; ++c)
+        for (int r = 0; r < 4; ++r)
+            if (!(std::abs(m[c][r]) < 1e60))
+                throw InputError("stack: the product of its " + std::to_string(scene.stack.size()) +
+                                 " entries is too large for a number; use smaller scales or fewer entries");
+    return Transform<World, Object>(m);
+}
+
+}  // namespace normalscope

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "core/camera.h"
+#include "core/normal_rules.h"
+#include "core/stack.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace normalscope {
+
+enum class Shape { Sphere, Cube, Cylinder, Cone, Torus, Plane, Dodecahedron };
+enum class ViewMode { Single, Split, Overlay };
+enum class ArrowPlacement { Vertices, Faces };
+enum class SurfaceColor { Lit, Error };
+enum class Theme { Light, Dark };
+
+/// A built-in shape that touches the unit sphere or fills the cube [−1, 1]³.
+struct ShapeSurface {
+    Shape shape = Shape::Sphere;
+    int resolution = 64;  ///< segments around, 3 to 512
+    friend bool operator==(const ShapeSurface&, const ShapeSurface&) = default;
+};
+/// A mesh file; the path as the program finds it (relative paths in a scene file start at that file's folder).
+struct MeshSurface {
+    std::string mesh;
+    friend bool operator==(const MeshSurface&, const MeshSurface&) = default;
+};
+using SurfaceSource = std::variant<ShapeSurface, MeshSurface>;
+
+/// The normals that can be shown as arrows: those of the untransformed object and those of each rule.
+enum class ArrowKind { Object, Naive, InverseTranspose, Cofactor };
+inline constexpr std::array kArrowKinds{ArrowKind::Object, ArrowKind::Naive, ArrowKind::InverseTranspose, ArrowKind::Cofactor};
+constexpr ArrowKind arrow_kind(Rule rule) { return static_cast<ArrowKind>(static_cast<int>(rule) + 1); }
+
+struct Arrows {
+    ArrowPlacement at = ArrowPlacement::Vertices;
+    int every = 1;         ///< every n-th vertex or face
+    double length = 0.12;  ///< in object diameters
+    int limit = 160;       ///< at most so many of a kind, evenly thinned
+    /// Which kinds are drawn; empty: those that the view calls for.
+    std::optional<std::vector<ArrowKind>> show;
+    friend bool operator==(const Arrows&, const Arrows&) = default;
+};
+
+/// Where the light comes from, in degrees as the camera's angles; it does not move with the camera.
+struct Light {
+    double azimuth = -25.0;
+    double elevation = 50.0;
+    friend bool operator==(const Light&, const Light&) = default;
+};
+
+/// What is drawn besides the object.
+struct Shown {
+    bool ghost = true;          ///< the untransformed object
+    bool grid = true;           ///< the ground
+    bool axes = true;           ///< the object's axes, by whose ends it is stretched
+    bool tangent_plane = true;  ///< at the probe, with the right-angle marks
+    bool probe = true;          ///< the probe's own arrows, arc and labels
+    bool legend = true;
+    friend bool operator==(const Shown&, const Shown&) = default;
+};
+
+/// Everything that a user can change, as one value.
+struct Scene {
+    std::string about;  ///< one line that says what the scene shows
+    SurfaceSource surface;
+    std::vector<StackEntry> stack;
+    Rule rule = Rule::InverseTranspose;
+    ViewMode view = ViewMode::Overlay;
+    Arrows arrows;
+    Camera camera;
+    Light light;
+    SurfaceColor color = SurfaceColor::Lit;
+    Theme theme = Theme::Light;
+    Shown show;
+    /// A point in object space; the probe is the surface's point nearest to it. Empty: what the camera sees nearest
+    /// the middle of the picture.
+    std::optional<Point<Object>> probe;
+
+    friend bool operator==(const Scene&, const Scene&) = default;
+};
+
+/// The arrows that a view shows for the rule that shades it: the scene's own choice, or the default one.
+std::vector<ArrowKind> shown_arrows(const Scene& scene, Rule pane_rule);
+
+/// M, with everything that follows from it. Throws InputError where the product overflows.
+Transform<World, Object> world_from_object(const Scene& scene);
+
+}  // namespace normalscope

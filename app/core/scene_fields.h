@@ -1,0 +1,127 @@
+#pragma once
+
+// Every key of a scene, declared once: reading, writing, `--set` and the list of known keys all follow from here.
+
+#include "core/scene.h"
+
+#include <array>
+#include <concepts>
+#include <string_view>
+#include <utility>
+
+namespace normalscope {
+
+/// The values that a number may take.
+struct Range {
+    double low, high;
+};
+inline constexpr Range kCoordinate{-1e9, 1e9};
+inline constexpr Range kDegrees{-36000.0, 36000.0};
+inline constexpr std::size_t kMostStackEntries = 200;
+
+template <class E>
+using EnumName = std::pair<E, std::string_view>;
+
+inline constexpr std::array kShapeNames{
+    EnumName<Shape>{Shape::Sphere, "sphere"}, EnumName<Shape>{Shape::Cube, "cube"},
+    EnumName<Shape>{Shape::Cylinder, "cylinder"}, EnumName<Shape>{Shape::Cone, "cone"},
+    EnumName<Shape>{Shape::Torus, "torus"}, EnumName<Shape>{Shape::Plane, "plane"},
+    EnumName<Shape>{Shape::Dodecahedron, "dodecahedron"}};
+inline constexpr std::array kViewNames{EnumName<ViewMode>{ViewMode::Single, "single"},
+                                       EnumName<ViewMode>{ViewMode::Split, "split"},
+                                       EnumName<ViewMode>{ViewMode::Overlay, "overlay"}};
+inline constexpr std::array kPlacementNames{EnumName<ArrowPlacement>{ArrowPlacement::Vertices, "vertices"},
+                                            EnumName<ArrowPlacement>{ArrowPlacement::Faces, "faces"}};
+inline constexpr std::array kArrowKindNames{EnumName<ArrowKind>{ArrowKind::Object, "object"},
+                                            EnumName<ArrowKind>{ArrowKind::Naive, "naive"},
+                                            EnumName<ArrowKind>{ArrowKind::InverseTranspose, "inverse-transpose"},
+                                            EnumName<ArrowKind>{ArrowKind::Cofactor, "cofactor"}};
+inline constexpr std::array kColorNames{EnumName<SurfaceColor>{SurfaceColor::Lit, "lit"},
+                                        EnumName<SurfaceColor>{SurfaceColor::Error, "error"}};
+inline constexpr std::array kThemeNames{EnumName<Theme>{Theme::Light, "light"}, EnumName<Theme>{Theme::Dark, "dark"}};
+inline constexpr std::array kRuleNames{EnumName<Rule>{Rule::Naive, "naive"},
+                                       EnumName<Rule>{Rule::InverseTranspose, "inverse-transpose"},
+                                       EnumName<Rule>{Rule::Cofactor, "cofactor"}};
+
+constexpr const auto& names_of(Shape) { return kShapeNames; }
+constexpr const auto& names_of(ViewMode) { return kViewNames; }
+constexpr const auto& names_of(ArrowPlacement) { return kPlacementNames; }
+constexpr const auto& names_of(ArrowKind) { return kArrowKindNames; }
+constexpr const auto& names_of(SurfaceColor) { return kColorNames; }
+constexpr const auto& names_of(Theme) { return kThemeNames; }
+constexpr const auto& names_of(Rule) { return kRuleNames; }
+
+template <class S, class T>
+concept Is = std::same_as<std::remove_const_t<S>, T>;
+
+// `f(key, value)` and `f(key, value, range)`, for S and const S alike.
+
+template <class F, Is<ShapeSurface> S>
+void fields(F& f, S& s) {
+    f("shape", s.shape);
+    f("resolution", s.resolution, Range{3, 512});
+}
+template <class F, Is<MeshSurface> S>
+void fields(F& f, S& s) {
+    f("mesh", s.mesh);
+}
+template <class F, Is<Rotate> S>
+void fields(F& f, S& s) {
+    f("axis", s.axis, kCoordinate);
+    f("degrees", s.degrees, kDegrees);
+}
+template <class F, Is<Shear> S>
+void fields(F& f, S& s) {
+    f("xy", s.xy, kCoordinate);
+    f("xz", s.xz, kCoordinate);
+    f("yx", s.yx, kCoordinate);
+    f("yz", s.yz, kCoordinate);
+    f("zx", s.zx, kCoordinate);
+    f("zy", s.zy, kCoordinate);
+}
+template <class F, Is<Arrows> S>
+void fields(F& f, S& s) {
+    f("at", s.at);
+    f("every", s.every, Range{1, 1e9});
+    f("length", s.length, Range{0.001, 10});
+    f("limit", s.limit, Range{0, 1e6});
+    f("show", s.show);
+}
+template <class F, Is<Camera> S>
+void fields(F& f, S& s) {
+    f("azimuth", s.azimuth, kDegrees);
+    f("elevation", s.elevation, Range{-90, 90});
+    f("zoom", s.zoom, Range{1e-3, 1e3});
+    f("target", s.target.xyz, kCoordinate);
+}
+template <class F, Is<Light> S>
+void fields(F& f, S& s) {
+    f("azimuth", s.azimuth, kDegrees);
+    f("elevation", s.elevation, Range{-90, 90});
+}
+template <class F, Is<Shown> S>
+void fields(F& f, S& s) {
+    f("ghost", s.ghost);
+    f("grid", s.grid);
+    f("axes", s.axes);
+    f("tangent_plane", s.tangent_plane);
+    f("probe", s.probe);
+    f("legend", s.legend);
+}
+template <class F, Is<Scene> S>
+void fields(F& f, S& s) {
+    f("about", s.about);
+    f("surface", s.surface);
+    f("stack", s.stack);
+    f("rule", s.rule);
+    f("view", s.view);
+    f("arrows", s.arrows);
+    f("camera", s.camera);
+    f("light", s.light);
+    f("color", s.color);
+    f("theme", s.theme);
+    f("show", s.show);
+    f("probe", s.probe);
+}
+
+}  // namespace normalscope

@@ -1,0 +1,415 @@
+#include "core/scene_json.h"
+
+#include "core/error.h"
+#include "core/file.h"
+#include "core/json_text.h"
+#include "core/scene_fields.h"
+
+#include <embedded.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace normalscope {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLargestSceneFile = std::size_t{16} << 20;
+constexpr std::string_view kSceneFolder = "assets/scenes/";
+
+// Keys that say which alternative an object is; setting one replaces the others.
+const std::vector<std::vector<std::string>> kAlternatives{{"shape", "mesh"},
+                                                          {"scale", "rotate", "translate", "shear", "matrix"}};
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+template <class E>
+std::string_view enum_name(E value) {
+    for (const auto& [e, n] : names_of(value))
+        if (e == value) return n;
+    return "";
+}
+
+// ---- writing -------------------------------------------------------------------------------------------------
+
+Json json_of(bool v) { return v; }
+Json json_of(int v) { return v; }
+Json json_of(double v) { return v; }
+Json json_of(const std::string& v) { return v; }
+Json json_of(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
+Json json_of(const Point<Object>& p) { return json_of(p.xyz); }
+Json json_of(const glm::dmat4& m) {
+    Json rows = Json::array();
+    for (int r = 0; r < 4; ++r) rows.push_back(Json::array({m[0][r], m[1][r], m[2][r], m[3][r]}));
+    return rows;
+}
+template <class E>
+    requires std::is_enum_v<E>
+Json json_of(E v) {
+    return std::string(enum_name(v));
+}
+template <class T>
+Json json_of(const std::optional<T>& v);
+template <class T>
+Json json_of(const std::vector<T>& v);
+Json json_of(const SurfaceSource& s);
+Json json_of(const StackEntry& e);
+template <class T>
+    requires std::is_class_v<T>
+Json json_of(const T& v);
+
+struct Writer {
+    Json& object;
+    template <class T>
+    void operator()(const char* key, const T& value, Range = kCoordinate) {
+        object[key] = json_of(value);
+    }
+};
+
+template <class T>
+Json json_of(const std::optional<T>& v) {
+    return v ? json_of(*v) : Json(nullptr);
+}
+template <class T>
+Json json_of(const std::vector<T>& v) {
+    Json array = Json::array();
+    for (const T& e : v) array.push_back(json_of(e));
+    return array;
+}
+template <class T>
+    requires std::is_class_v<T>
+Json json_of(const T& v) {
+    Json object = Json::object();
+    Writer writer{object};
+    fields(writer, v);
+    return object;
+}
+Json json_of(const SurfaceSource& s) {
+    return std::visit([](const auto& source) { return json_of(source); }, s);
+}
+Json json_of(const Scale& s) { return json_of(s.factors); }
+Json json_of(const Translate& t) { return json_of(t.offset); }
+Json json_of(const Matrix& m) { return json_of(m.matrix); }
+Json json_of(const StackEntry& e) {
+    Json object = Json::object();
+    object[std::string(name(e))] = std::visit([](const auto& entry) { return json_of(entry); }, e);
+    return object;
+}
+
+Json json_of_scene(const Scene& scene) {
+    Json root = Json::object();
+    root["normalscope"] = 1;
+    for (auto& [key, value] : json_of<Scene>(scene).items()) root[key] = value;
+    return root;
+}
+
+// ---- reading -------------------------------------------------------------------------------------------------
+
+[[noreturn]] void fail(const std::string& path, const std::string& what) { throw InputError(path + ": " + what); }
+
+std::string shown(const Json& j) {
+    std::string text = j.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return text.size() <= 40 ? text : text.substr(0, 37) + "...";
+}
+[[noreturn]] void fail_type(const std::string& path, const std::string& expected, const Json& found) {
+    fail(path, "expected " + expected + ", found " + shown(found));
+}
+
+std::string child(const std::string& path, const std::string& key) {
+    return path.empty() || path.ends_with(": ") ? path + key : path + "." + key;
+}
+
+void read(const Json& j, const std::string& path, bool& v) {
+    if (!j.is_boolean()) fail_type(path, "true or false", j);
+    v = j.get<bool>();
+}
+void read(const Json& j, const std::string& path, std::string& v) {
+    if (!j.is_string()) fail_type(path, "a string", j);
+    v = j.get<std::string>();
+}
+void read(const Json& j, const std::string& path, double& v, Range range) {
+    if (!j.is_number()) fail_type(path, "a number", j);
+    const double number = j.get<double>();
+    if (!(number >= range.low && number <= range.high))
+        fail(path, shown(j) + " is out of range; it goes from " + shown(range.low) + " to " + shown(range.high));
+    v = number;
+}
+void read(const Json& j, const std::string& path, int& v, Range range) {
+    double number = 0.0;
+    read(j, path, number, range);
+    if (number != std::floor(number)) fail_type(path, "a whole number", j);
+    v = static_cast<int>(number);
+}
+void read_array(const Json& j, const std::string& path, std::size_t size, const std::string& of) {
+    if (!j.is_array() || j.size() != size) fail_type(path, "an array of " + std::to_string(size) + " " + of, j);
+}
+void read(const Json& j, const std::string& path, glm::dvec3& v, Range range) {
+    read_array(j, path, 3, "numbers");
+    for (int i = 0; i < 3; ++i)
+        read(j[static_cast<std::size_t>(i)], child(path, std::to_string(i)), v[i], range);
+}
+void read(const Json& j, const std::string& path, Point<Object>& p) { read(j, path, p.xyz, kCoordinate); }
+void read(const Json& j, const std::string& path, glm::dmat4& m) {
+    read_array(j, path, 4, "rows");
+    for (int r = 0; r < 4; ++r) {
+        const Json& row = j[static_cast<std::size_t>(r)];
+        const std::string row_path = child(path, std::to_string(r));
+        read_array(row, row_path, 4, "numbers");
+        for (int c = 0; c < 4; ++c)
+            read(row[static_cast<std::size_t>(c)], child(row_path, std::to_string(c)), m[c][r], kCoordinate);
+    }
+}
+template <class E>
+    requires std::is_enum_v<E>
+void read(const Json& j, const std::string& path, E& v) {
+    if (j.is_string())
+        for (const auto& [e, n] : names_of(v))
+            if (j.get<std::string>() == n) {
+                v = e;
+                return;
+            }
+    std::vector<std::string> valid;
+    for (const auto& [e, n] : names_of(v)) valid.emplace_back(n);
+    fail_type(path, "one of " + joined(valid), j);
+}
+template <class T>
+void read(const Json& j, const std::string& path, std::optional<T>& v);
+template <class T>
+void read(const Json& j, const std::string& path, std::vector<T>& v);
+void read(const Json& j, const std::string& path, SurfaceSource& v);
+void read(const Json& j, const std::string& path, StackEntry& v);
+template <class T>
+    requires std::is_class_v<T>
+void read(const Json& j, const std::string& path, T& v);
+
+struct Reader {
+    const Json& object;
+    const std::string& path;
+    std::vector<std::string> known;
+
+    template <class T, class... R>
+    void operator()(const char* key, T& value, R... range) {
+        known.emplace_back(key);
+        if (const auto it = object.find(key); it != object.end()) read(*it, child(path, key), value, range...);
+    }
+    void no_other_keys() const {
+        for (const auto& [key, value] : object.items())
+            if (std::ranges::count(known, key) == 0)
+                fail(child(path, key), "unknown key; known here: " + joined(known));
+    }
+};
+
+template <class T>
+void read(const Json& j, const std::string& path, std::optional<T>& v) {
+    if (j.is_null()) v.reset();
+    else read(j, path, v.emplace());
+}
+template <class T>
+void read(const Json& j, const std::string& path, std::vector<T>& v) {
+    if (!j.is_array()) fail_type(path, "an array", j);
+    if (j.size() > kMostStackEntries)
+        fail(path, "has " + std::to_string(j.size()) + " entries; at most " + std::to_string(kMostStackEntries) +
+                       " are allowed, so multiply some into one matrix");
+    v.assign(j.size(), T{});
+    for (std::size_t i = 0; i < j.size(); ++i) read(j[i], child(path, std::to_string(i)), v[i]);
+}
+template <class T>
+    requires std::is_class_v<T>
+void read(const Json& j, const std::string& path, T& v) {
+    if (!j.is_object()) fail_type(path, "an object", j);
+    Reader reader{j, path, {}};
+    fields(reader, v);
+    reader.no_other_keys();
+}
+
+// The one of `keys` that the object has.
+std::string alternative(const Json& j, const std::string& path, const std::vector<std::string>& keys) {
+    if (!j.is_object()) fail_type(path, "an object with one of " + joined(keys), j);
+    std::string found;
+    for (const std::string& key : keys) {
+        if (!j.contains(key)) continue;
+        if (!found.empty()) fail(path, "has both " + found + " and " + key + "; keep one");
+        found = key;
+    }
+    if (found.empty()) fail_type(path, "an object with one of " + joined(keys), j);
+    return found;
+}
+
+void read(const Json& j, const std::string& path, SurfaceSource& v) {
+    const std::string kind = alternative(j, path, kAlternatives[0]);
+    if (kind == "shape") read(j, path, v.emplace<ShapeSurface>());
+    else read(j, path, v.emplace<MeshSurface>());
+}
+
+void read(const Json& j, const std::string& path, StackEntry& v) {
+    const std::string kind = alternative(j, path, kAlternatives[1]);
+    if (j.size() != 1) fail(path, "has other keys beside " + kind + "; each entry is one transform");
+    const std::string at = child(path, kind);
+    const Json& body = j[kind];
+    if (kind == "scale") read(body, at, v.emplace<Scale>().factors, kCoordinate);
+    else if (kind == "rotate") read(body, at, v.emplace<Rotate>());
+    else if (kind == "translate") read(body, at, v.emplace<Translate>().offset, kCoordinate);
+    else if (kind == "shear") read(body, at, v.emplace<Shear>());
+    else read(body, at, v.emplace<Matrix>().matrix);
+    if (const Rotate* r = std::get_if<Rotate>(&v); r && glm::length(r->axis) == 0.0)
+        fail(child(at, "axis"), "is zero, so it has no direction; try [0, 0, 1]");
+}
+
+Scene scene_of(Json root, const std::string& prefix) {
+    if (!root.is_object()) fail(prefix + "scene", "expected an object, found " + shown(root));
+    if (const auto it = root.find("normalscope"); it != root.end()) {
+        if (!it->is_number_integer()) fail_type(prefix + "normalscope", "the format's number, 1", *it);
+        if (*it != 1) fail(prefix + "normalscope", "format " + shown(*it) + " is not known; this program reads format 1");
+        root.erase(it);
+    }
+    Scene scene;
+    Reader reader{root, prefix, {}};
+    fields(reader, scene);
+    reader.known.emplace_back("normalscope");
+    reader.no_other_keys();
+    (void)world_from_object(scene);  // overflow is an error of the scene, found before anything is drawn
+    return scene;
+}
+
+// nlohmann's text without its "[json.exception…]" head and its line breaks.
+std::string reason(const std::exception& e) {
+    std::string text = e.what();
+    if (const auto end = text.find("] "); text.starts_with('[') && end != std::string::npos) text.erase(0, end + 2);
+    std::ranges::replace(text, '\n', ' ');
+    return text;
+}
+
+Json parsed(std::string_view text, const std::string& prefix) {
+    try {
+        return Json::parse(text);
+    } catch (const Json::exception& e) {
+        throw InputError(prefix + "not valid JSON: " + reason(e));
+    }
+}
+
+// ---- --set ---------------------------------------------------------------------------------------------------
+
+Json& element(Json& array, const std::string& path, const std::string& key) {
+    const bool digits = !key.empty() && key.size() < 7 && std::ranges::all_of(key, [](char c) { return c >= '0' && c <= '9'; });
+    const std::size_t index = digits ? static_cast<std::size_t>(std::stoul(key)) : array.size() + 1;
+    // One past the end of the stack appends an entry.
+    if (index == array.size() && path == "stack") array.push_back(Json::object());
+    if (index >= array.size())
+        fail("--set " + child(path, key), "no such entry; there are " + std::to_string(array.size()) + ", counted from 0");
+    return array[index];
+}
+
+Json& member(Json& object, const std::string& path, const std::string& key) {
+    if (!object.is_object()) fail("--set " + child(path, key), "there is nothing below " + shown(object));
+    // Another kind of surface or of entry replaces the one that is there.
+    const std::vector<std::string>* kinds = path == "surface" ? &kAlternatives[0] : path.starts_with("stack.") ? &kAlternatives[1] : nullptr;
+    const bool is_kind = kinds && std::ranges::count(*kinds, key) > 0 && std::ranges::count(path, '.') <= 1;
+    if (is_kind && !object.contains(key)) object = Json{{key, nullptr}};
+    if (!object.contains(key)) {
+        std::vector<std::string> known;
+        for (const auto& [k, v] : object.items()) known.push_back(k);
+        if (known.empty()) known = *kinds;
+        fail("--set " + child(path, key), "unknown key; known here: " + joined(known));
+    }
+    return object[key];
+}
+
+}  // namespace
+
+std::string scene_text(const Scene& scene) { return json_text(json_of_scene(scene)); }
+
+Scene parse_scene(std::string_view text, std::string_view source) {
+    const std::string prefix = std::string(source) + ": ";
+    return scene_of(parsed(text, prefix), prefix);
+}
+
+Scene with_setting(const Scene& scene, std::string_view assignment) {
+    const std::string whole(assignment);
+    const auto equals = assignment.find('=');
+    if (equals == std::string_view::npos || equals == 0)
+        throw UsageError("--set " + whole + ": expected PATH=VALUE, such as stack.0.scale=[1,2,1] or rule=naive");
+    const std::string value_text(assignment.substr(equals + 1));
+    Json value = Json::parse(value_text, nullptr, false);
+    if (value.is_discarded()) value = value_text;  // a bare word
+
+    std::vector<std::string> keys{""};
+    for (const char c : assignment.substr(0, equals))
+        if (c == '.') keys.emplace_back();
+        else keys.back() += c;
+
+    Json root = json_of_scene(scene);
+    Json* node = &root;
+    std::string path;  // of `node`
+    for (const std::string& key : keys) {
+        node = &(node->is_array() ? element(*node, path, key) : member(*node, path, key));
+        path = child(path, key);
+    }
+    *node = std::move(value);
+    return scene_of(std::move(root), "--set ");
+}
+
+Scene load_scene(const std::string& file_or_name) {
+    const fs::path path(file_or_name);
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (ending == ".json") {
+        Scene scene = parse_scene(read_file(path, kLargestSceneFile), file_or_name);
+        if (MeshSurface* m = std::get_if<MeshSurface>(&scene.surface))
+            m->mesh = (path.parent_path() / m->mesh).lexically_normal().string();
+        return scene;
+    }
+    if (ending == ".obj" || ending == ".ply" || ending == ".stl") {
+        Scene scene = load_scene(std::string(kDefaultScene));
+        scene.about.clear();
+        scene.surface = MeshSurface{file_or_name};
+        return scene;
+    }
+    if (const auto text = embedded::file(std::string(kSceneFolder) + file_or_name + ".json"))
+        return parse_scene(*text, file_or_name);
+
+    std::error_code ignored;
+    if (fs::exists(path, ignored))
+        throw InputError(file_or_name + ": its ending tells nothing; a scene ends in .json, a mesh in .obj, .ply or .stl");
+    std::vector<std::string> names;
+    for (const BuiltInScene& scene : built_in_scenes()) names.push_back(scene.name);
+    throw InputError(file_or_name + ": no such file, nor a built-in scene (" + joined(names) + ")");
+}
+
+void save_scene(const Scene& scene, const fs::path& file) {
+    Scene portable = scene;
+    if (MeshSurface* m = std::get_if<MeshSurface>(&portable.surface)) {
+        std::error_code error;
+        const fs::path folder = fs::absolute(file, error).parent_path();
+        const fs::path relative = fs::proximate(fs::absolute(m->mesh, error), folder, error);
+        if (!error) m->mesh = relative.string();
+    }
+    write_file(file, scene_text(portable) + "\n");
+}
+
+std::vector<BuiltInScene> built_in_scenes() {
+    std::vector<BuiltInScene> scenes;
+    for (const std::string_view file : embedded::names()) {
+        if (!file.starts_with(kSceneFolder) || !file.ends_with(".json")) continue;
+        const std::string scene_name(file.substr(kSceneFolder.size(), file.size() - kSceneFolder.size() - 5));
+        scenes.push_back({scene_name, parse_scene(*embedded::file(file), scene_name).about});
+    }
+    std::ranges::sort(scenes, {}, &BuiltInScene::name);
+    return scenes;
+}
+
+std::string_view name(Shape v) { return enum_name(v); }
+std::string_view name(ViewMode v) { return enum_name(v); }
+std::string_view name(ArrowPlacement v) { return enum_name(v); }
+std::string_view name(ArrowKind v) { return enum_name(v); }
+std::string_view name(SurfaceColor v) { return enum_name(v); }
+std::string_view name(Theme v) { return enum_name(v); }
+
+}  // namespace normalscope

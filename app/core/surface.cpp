@@ -1,0 +1,84 @@
+#include "core/surface.h"
+
+#include "core/mesh_file.h"
+#include "core/shapes.h"
+
+#include <tuple>
+
+namespace normalscope {
+
+std::shared_ptr<const Surface> SurfaceCache::get(const Scene& scene) {
+    const bool same_mesh = mesh_ && mesh_source_ == scene.surface;
+    // Which arrow kinds are shown and how long they are does not change where they stand.
+    const auto placement = [](const Arrows& a) { return std::tuple(a.at, a.every, a.limit); };
+    if (surface_ && surface_source_ == scene.surface && placement(surface_arrows_) == placement(scene.arrows)) return surface_;
+
+    if (!same_mesh) {
+        const ShapeSurface* shape = std::get_if<ShapeSurface>(&scene.surface);
+        mesh_ = std::make_shared<const Mesh>(shape ? make_shape(*shape) : load_mesh(std::get<MeshSurface>(scene.surface).mesh));
+        mesh_source_ = scene.surface;
+    }
+    const bool faces = scene.arrows.at == ArrowPlacement::Faces;
+    auto surface = std::make_shared<Surface>();
+    surface->area = surface_area(*mesh_);
+    surface->arrows = thinned(faces ? face_sites(*mesh_) : vertex_sites(*mesh_), static_cast<std::size_t>(scene.arrows.every),
+                              static_cast<std::size_t>(scene.arrows.limit), surface->area);
+    surface->mesh = faces ? flat_shaded(*mesh_) : *mesh_;
+    surface_ = std::move(surface);
+    surface_source_ = scene.surface;
+    surface_arrows_ = scene.arrows;
+    return surface_;
+}
+
+Mesh flat_shaded(const Mesh& mesh) {
+    std::vector<glm::dvec3> face_normals(mesh.face_count(), glm::dvec3(0.0));
+    const auto face_of = [&](std::size_t triangle) { return mesh.face_of_triangle.empty() ? triangle : mesh.face_of_triangle[triangle]; };
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const glm::uvec3& t = mesh.triangles[i];
+        const glm::dvec3& a = mesh.positions[t.x];
+        face_normals[face_of(i)] += glm::cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a);
+    }
+    Mesh flat;
+    flat.face_of_triangle = mesh.face_of_triangle;
+    flat.normal_source = mesh.normal_source;
+    flat.note = mesh.note;
+    flat.positions.reserve(3 * mesh.triangles.size());
+    flat.normals.reserve(3 * mesh.triangles.size());
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const glm::dvec3& sum = face_normals[face_of(i)];
+        const double length = glm::length(sum);
+        const auto first = static_cast<std::uint32_t>(flat.positions.size());
+        for (int k = 0; k < 3; ++k) {
+            flat.positions.push_back(mesh.positions[mesh.triangles[i][k]]);
+            flat.normals.push_back(length > 0.0 ? sum / length : glm::dvec3(0.0));
+        }
+        flat.triangles.push_back({first, first + 1, first + 2});
+    }
+    return flat;
+}
+
+std::optional<double> error_degrees(const NormalMatrices& matrices, Normal<Object> n) {
+    if (!matrices.inverse_transpose) return std::nullopt;
+    return angle_degrees(matrices.naive * n.xyz, *matrices.inverse_transpose * n.xyz);
+}
+
+std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMatrices& matrices) {
+    if (!matrices.inverse_transpose) return std::nullopt;
+    ErrorStatistics statistics;
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+        const std::optional<double> error = error_degrees(matrices, {mesh.normals[i]});
+        if (!error) continue;
+        sum += *error;
+        if (count++ == 0 || *error > statistics.worst_degrees) {
+            statistics.worst_degrees = *error;
+            statistics.at = {mesh.positions[i]};
+        }
+    }
+    if (count == 0) return std::nullopt;
+    statistics.mean_degrees = sum / static_cast<double>(count);
+    return statistics;
+}
+
+}  // namespace normalscope
