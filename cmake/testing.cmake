@@ -24,8 +24,9 @@ function(gtest_executable target folder)
   if(TARGET Eigen3::Eigen)
     target_link_libraries(${target} PRIVATE Eigen3::Eigen)
   endif()
+  string(REPLACE ";" "\\;" environment "${test_environment}")  # it goes through one more list on its way
   gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST TEST_PREFIX ${folder}.
-    PROPERTIES ENVIRONMENT "${test_environment}" LABELS ${folder})
+    PROPERTIES ENVIRONMENT "${environment}" LABELS ${folder})
 endfunction()
 
 # compile_fail_tests(FILE): FILE must compile, and each of its blocks `#ifdef EXPECT_ERROR_name` must not, because the
@@ -89,5 +90,8 @@ function(python_tests folder)
     string(REPLACE test_ "" name ${stem})
     add_test(NAME ${folder}.${name} COMMAND ${ARGN} ${Python3_EXECUTABLE} ${script})
     set_tests_properties(${folder}.${name} PROPERTIES LABELS ${folder} ENVIRONMENT "${test_environment}")
+    if(folder STREQUAL window)  # xvfb-run looks for a free display number without reserving it
+      set_tests_properties(${folder}.${name} PROPERTIES RESOURCE_LOCK display)
+    endif()
   endforeach()
 endfunction()
