@@ -1,0 +1,109 @@
+#pragma once
+
+#include "core/camera.h"
+#include "core/palette.h"
+#include "core/probe.h"
+#include "core/scene.h"
+#include "core/surface.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace normalscope {
+
+/// In pixels from the top left of the framebuffer.
+struct PixelRect {
+    glm::ivec2 origin{0};
+    glm::ivec2 size{0};
+};
+
+/// The mesh drawn once, by one matrix.
+struct SurfaceDraw {
+    glm::mat4 world_from_object{1.0f};
+    std::optional<glm::mat3> normal_matrix;  ///< empty: no normals, so no shading
+    /// +1 or −1: what turns the winding that the picture shows into the side that `normal_matrix` takes for outside.
+    float outside = 1.0f;
+    glm::vec4 color{1.0f};         ///< alpha below 1: a ghost
+    bool by_error = false;         ///< coloured by the naive rule's error instead
+};
+
+/// The surface's arrows drawn once: bases by one matrix, directions by another, length and radius in world units.
+struct ArrowDraw {
+    glm::mat4 world_from_object{1.0f};
+    glm::mat3 normal_matrix{1.0f};
+    glm::vec3 color{1.0f};
+    float length = 0.1f;
+    float radius = 0.01f;
+};
+
+/// Corner of a triangle in world space, for what is made anew every frame: the probe's arrows and marks, the axes.
+struct SolidVertex {
+    glm::vec3 position;
+    glm::vec3 normal;  ///< zero: not lit
+    glm::vec4 color;
+};
+
+/// Text beside a place in the picture.
+struct Label {
+    enum class Role { Title, Axis, Angle, Note } role = Role::Note;
+    glm::vec2 pixel{0.0f};  ///< what it belongs to, from the top left of the framebuffer
+    std::string text;
+    glm::vec3 color{0.0f};
+};
+
+struct LegendEntry {
+    ArrowKind kind;
+    std::string text;
+    glm::vec3 color;
+};
+
+/// One view of the scene: the whole picture, or the half that shows one rule.
+struct Pane {
+    PixelRect rect;
+    Rule rule = Rule::InverseTranspose;
+    CameraView view;
+    std::vector<SurfaceDraw> surfaces;  ///< opaque ones before ghosts
+    std::vector<ArrowDraw> arrows;
+    std::vector<SolidVertex> solids;       ///< opaque triangles
+    std::vector<SolidVertex> translucent;  ///< drawn last, without writing depth
+    std::vector<Label> labels;
+};
+
+/// A picture as data: what a renderer draws and what the overlay writes on it. Colours are sRGB.
+struct Frame {
+    PixelRect rect;
+    Theme theme = Theme::Light;
+    std::shared_ptr<const Surface> surface;
+    std::vector<Pane> panes;
+    glm::vec3 toward_light{0.0f, 1.0f, 0.0f};
+    /// M3 and (M3⁻¹)ᵀ for the error map; empty where there is no inverse.
+    std::optional<std::array<glm::mat3, 2>> error_matrices;
+    std::optional<float> ground_height;          ///< of the grid; empty: no grid
+    glm::mat4 shadow_from_world{0.0f};           ///< to the unit ball that stands in for the object's shadow
+    std::vector<LegendEntry> legend;
+    bool error_legend = false;
+    std::optional<ProbeInWorld> probe;
+};
+
+struct FrameOptions {
+    PixelRect rect;
+    float pixel_scale = 1.0f;           ///< physical pixels per logical one
+    std::optional<int> hot_axis;        ///< the axis handle under the pointer
+    bool handles = true;                ///< knobs on the axes, to be dragged
+};
+
+/// What the scene looks like at a given size. `surface` is the scene's (SurfaceCache). Throws InputError as
+/// world_from_object does.
+Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, const FrameOptions& options);
+
+/// Where the arc of the angle, the legend's swatches and the map's key take their colour: error in degrees, 0 … 90.
+glm::vec3 error_color(double degrees);
+
+}  // namespace normalscope

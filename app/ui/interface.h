@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/frame.h"
+#include "core/scene.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace normalscope {
+
+/// What the interface asks of the program, beyond edits of the scene.
+struct Requests {
+    bool undo = false, redo = false;
+    bool full_screen = false, quit = false;
+    std::optional<std::string> open;                  ///< a scene, a mesh, or a built-in scene's name
+    std::optional<std::filesystem::path> save_scene;
+    std::optional<std::filesystem::path> save_picture;
+};
+
+/// What the interface shows and cannot work out from the scene.
+struct Status {
+    bool can_undo = false, can_redo = false;
+    std::optional<ErrorStatistics> errors;
+    std::string file;  ///< the open scene's file or name; empty if none
+};
+
+/// Dear ImGui on a scene: the panel, the words on the picture, help, file dialogs and messages. Owns no ImGui context:
+/// one must be current. Knows neither GL nor the window.
+class Interface {
+public:
+    Interface();
+    ~Interface();
+    Interface(Interface&&) noexcept;
+    Interface& operator=(Interface&&) noexcept;
+
+    /// Fonts and style for a theme and a scale (physical pixels per logical one). The font atlas is made anew where the
+    /// scale changed; true says so, and that the backend must upload it again.
+    bool prepare(Theme theme, float scale);
+
+    /// Where the picture goes in a framebuffer of this size: what the panel leaves.
+    PixelRect picture(glm::ivec2 framebuffer) const;
+
+    /// Between ImGui::NewFrame and ImGui::Render: draws everything over `frame` and edits the scene.
+    Requests draw(Scene& scene, const Frame& frame, const Status& status);
+    /// Only the words on the picture (labels, legend), as in a capture without the panel.
+    void draw_words(const Frame& frame) const;
+
+    /// One line that the user must see, such as why a file was refused; shown until dismissed or replaced.
+    void show_error(std::string_view line);
+    /// One line that may go by itself, such as "Saved …".
+    void show_note(std::string_view line);
+
+    void toggle_help();
+    void toggle_panel();
+    void ask_open(const Scene&);
+    void ask_save_scene();
+    void ask_save_picture();
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace normalscope
