@@ -24,9 +24,12 @@ function(gtest_executable target folder)
   if(TARGET Eigen3::Eigen)
     target_link_libraries(${target} PRIVATE Eigen3::Eigen)
   endif()
-  string(REPLACE ";" "\\;" environment "${test_environment}")  # it goes through one more list on its way
-  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST TEST_PREFIX ${folder}.
-    PROPERTIES ENVIRONMENT "${environment}" LABELS ${folder})
+  gtest_discover_tests(${target} DISCOVERY_MODE PRE_TEST TEST_PREFIX ${folder}. PROPERTIES LABELS ${folder})
+  # Its PROPERTIES cannot hold a list, so the environment is set afterwards, on the tests it has found.
+  set(properties "${CMAKE_CURRENT_BINARY_DIR}/${target}_environment.cmake")
+  file(WRITE "${properties}"
+    "set_tests_properties(\${${target}_TESTS} PROPERTIES ENVIRONMENT \"${test_environment}\")\n")
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES "${properties}")
 endfunction()
 
 # compile_fail_tests(FILE): FILE must compile, and each of its blocks `#ifdef EXPECT_ERROR_name` must not, because the
