@@ -16,7 +16,7 @@ struct Ray {
 
 /// A camera that orbits `target`; y is up. At zoom 1 a ball of radius `kFramedRadius` about the target fills the picture.
 struct Camera {
-    static constexpr double kFramedRadius = 2.3;
+    static constexpr double kFramedRadius = 2.6;
     static constexpr double kFieldOfViewDegrees = 30.0;  ///< across the shorter side
 
     double azimuth = 30.0;    ///< degrees to the right of looking along −z

@@ -1,0 +1,193 @@
+#include "core/frame.h"
+
+#include "core/axis_handles.h"
+#include "core/probe_marks.h"
+#include "core/solids.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace normalscope {
+
+namespace {
+
+using WorldFromObject = Transform<World, Object>;
+
+glm::vec3 toward(const Light& light) {
+    const double a = glm::radians(light.azimuth), e = glm::radians(light.elevation);
+    return {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
+}
+
+// Floats reach to 1e38: what M does beyond that cannot be seen anyway.
+template <class M>
+M drawable(const M& m) {
+    M result = m;
+    for (int c = 0; c < M::length(); ++c)
+        for (int r = 0; r < M::col_type::length(); ++r) result[c][r] = std::clamp(m[c][r], -1e15, 1e15);
+    return result;
+}
+
+std::vector<Pane> empty_panes(const Scene& scene, const PixelRect& rect) {
+    if (scene.view != ViewMode::Split)
+        return {Pane{rect, scene.rule, CameraView(scene.camera, rect.size), {}, {}, {}, {}, {}}};
+    const int left = rect.size.x / 2;
+    const PixelRect halves[]{{rect.origin, {left, rect.size.y}},
+                             {rect.origin + glm::ivec2(left, 0), {rect.size.x - left, rect.size.y}}};
+    // Left argues for the naive rule; right for the chosen one.
+    const Rule right = scene.rule == Rule::Naive ? Rule::InverseTranspose : scene.rule;
+    std::vector<Pane> panes;
+    for (const Rule rule : {Rule::Naive, right}) {
+        const PixelRect& half = halves[panes.size()];
+        panes.push_back(Pane{half, rule, CameraView(scene.camera, glm::max(half.size, glm::ivec2(1))), {}, {}, {}, {}, {}});
+    }
+    return panes;
+}
+
+void add_surfaces(Pane& pane, const Scene& scene, const WorldFromObject& m, bool ghost) {
+    const NormalMatrices& matrices = m.normal_matrices_by_rule();
+    const ThemeColors colors = theme_colors(scene.theme);
+    SurfaceDraw object;
+    object.world_from_object = drawable(m.matrix());
+    object.color = glm::vec4(colors.surface, 1.0f);
+    if (const auto n = matrices.by(pane.rule); n && (pane.rule != Rule::Cofactor || matrices.rank >= 2)) {
+        // Only directions count: bring the entries near 1 so that floats neither overflow nor vanish.
+        double largest = 0.0;
+        for (int c = 0; c < 3; ++c) largest = std::max(largest, glm::length((*n)[c]));
+        if (largest > 0.0) object.normal_matrix = *n / largest;
+    }
+    // A reflection turns the picture's winding over. The gradient's outside stays; the cofactor's turns with it.
+    object.outside = matrices.determinant < 0.0 && pane.rule != Rule::Cofactor ? -1.0f : 1.0f;
+    object.by_error = scene.color == SurfaceColor::Error && matrices.inverse_transpose.has_value();
+    pane.surfaces.push_back(object);
+    if (ghost)
+        pane.surfaces.push_back({.world_from_object = glm::mat4(1.0f), .normal_matrix = glm::mat3(1.0f), .color = glm::vec4(colors.ghost, 0.55f)});
+}
+
+void add_arrows(Pane& pane, const Scene& scene, const WorldFromObject& m) {
+    const NormalMatrices& matrices = m.normal_matrices_by_rule();
+    const auto length = static_cast<float>(2.0 * scene.arrows.length);  // in diameters of the unit ball
+    const auto draw = [&](const glm::dmat4& points, const glm::dmat3& normals, ArrowKind kind) {
+        double largest = 0.0;
+        for (int c = 0; c < 3; ++c) largest = std::max(largest, glm::length(normals[c]));
+        pane.arrows.push_back({drawable(points), largest > 0.0 ? normals / largest : normals, arrow_color(kind, scene.theme),
+                               length, std::clamp(0.042f * length, 0.003f, 0.025f)});
+    };
+    for (const ArrowKind kind : shown_arrows(scene, pane.rule)) {
+        if (kind == ArrowKind::Object) {
+            if (scene.show.ghost) draw(glm::dmat4(1.0), glm::dmat3(1.0), kind);
+        } else if (const auto n = matrices.by(kRules[static_cast<std::size_t>(kind) - 1])) {
+            draw(m.matrix(), *n, kind);
+        }
+    }
+}
+
+void add_axes(Pane& pane, const Scene& scene, const FrameOptions& options) {
+    for (const AxisHandle& handle : axis_handles(scene)) {
+        const glm::vec3 color = kAxisColors[static_cast<std::size_t>(handle.axis)];
+        const bool hot = options.hot_axis == handle.axis;
+        const double thickness = std::max(0.010, 1.4 * options.pixel_scale * pane.view.world_per_pixel(handle.origin));
+        const glm::dvec3 knob = handle.knob().xyz;
+        add_tube(pane.solids, std::array{handle.origin.xyz, knob}, thickness, glm::vec4(color, 1.0f));
+        const double half = (hot ? 8.5 : 6.5) * options.pixel_scale * pane.view.world_per_pixel(handle.knob());
+        if (options.handles) add_cube(pane.solids, knob, handle.unit.xyz, half, glm::vec4(hot ? glm::mix(color, glm::vec3(1.0f), 0.35f) : color, 1.0f));
+        const glm::dvec3 at = pane.view.pixel({knob + 2.6 * half * glm::normalize(handle.unit.xyz) * (handle.factor < 0.0 ? -1.0 : 1.0)});
+        if (at.z > 0.0)
+            pane.labels.push_back({Label::Role::Axis, glm::vec2(pane.rect.origin) + glm::vec2(at),
+                                   std::string(1, "xyz"[handle.axis]), color});
+    }
+}
+
+// The blob under the object: the shadow of M's image of the unit ball in light from straight above. With A the x and z
+// rows of M3, the shadow is the ellipse pᵀ (A Aᵀ)⁻¹ p ≤ 1; Cholesky's A Aᵀ = L Lᵀ turns it into the disc |L⁻¹ p| ≤ 1.
+glm::mat4 shadow_disc(const WorldFromObject& m) {
+    const glm::dmat3& m3 = m.normal_matrices_by_rule().naive;
+    const glm::dvec3 x(m3[0].x, m3[1].x, m3[2].x), z(m3[0].z, m3[1].z, m3[2].z);
+    constexpr double kSoft = 0.02;  // keeps the shadow of a flattened object from vanishing
+    const double l11 = std::sqrt(glm::dot(x, x) + kSoft), l21 = glm::dot(x, z) / l11;
+    const double l22 = std::sqrt(std::max(glm::dot(z, z) + kSoft - l21 * l21, kSoft));
+    const glm::dvec3 centre = m(Point<Object>{}).xyz;
+    glm::dmat4 disc(0.0);
+    disc[0] = glm::dvec4(1.0 / l11, 0.0, -l21 / (l11 * l22), 0.0);
+    disc[2] = glm::dvec4(0.0, 0.0, 1.0 / l22, 0.0);
+    disc[3] = -disc * glm::dvec4(centre, 0.0);
+    return drawable(disc);
+}
+
+// The lowest point of object and ghost; a few thousand vertices tell it well enough, every frame.
+float ground_height(const Mesh& mesh, const WorldFromObject& m, bool ghost) {
+    double lowest = ghost ? -1.0 : 1e9;
+    const std::size_t step = 1 + mesh.positions.size() / 20000;
+    for (std::size_t i = 0; i < mesh.positions.size(); i += step)
+        lowest = std::min(lowest, m(Point<Object>{mesh.positions[i]}).xyz.y);
+    return static_cast<float>(std::clamp(lowest, -1e6, 1e6) - 0.01);
+}
+
+void add_legend(Frame& frame, const Scene& scene, const NormalMatrices& matrices) {
+    frame.error_legend = scene.color == SurfaceColor::Error && matrices.inverse_transpose.has_value();
+    for (const ArrowKind kind : kArrowKinds) {
+        const bool shown = std::ranges::any_of(frame.panes, [&](const Pane& pane) {
+            return std::ranges::count(shown_arrows(scene, pane.rule), kind) > 0;
+        });
+        if (!shown || (kind == ArrowKind::Object && !scene.show.ghost)) continue;
+        std::string text = "n of the object";
+        if (kind != ArrowKind::Object) {
+            const Rule rule = kRules[static_cast<std::size_t>(kind) - 1];
+            constexpr std::array<std::string_view, 3> kTitles{"naive", "inverse transpose", "cofactor"};
+            text = std::string(kTitles[static_cast<std::size_t>(rule)]) + "  " + std::string(formula(rule));
+            if (!matrices.by(rule)) text += "  (M has no inverse)";
+            else if (rule == Rule::Cofactor && matrices.rank < 2) text += "  (zero: rank below 2)";
+        }
+        frame.legend.push_back({kind, text, arrow_color(kind, scene.theme)});
+    }
+}
+
+}  // namespace
+
+glm::vec3 error_color(double degrees) {
+    const double at = std::clamp(degrees / 90.0, 0.0, 1.0) * static_cast<double>(kErrorRamp.size() - 1);
+    const auto low = std::min(static_cast<std::size_t>(at), kErrorRamp.size() - 2);
+    return glm::mix(kErrorRamp[low], kErrorRamp[low + 1], static_cast<float>(at - static_cast<double>(low)));
+}
+
+Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, const FrameOptions& options) {
+    const WorldFromObject m = world_from_object(scene);
+    const NormalMatrices& matrices = m.normal_matrices_by_rule();
+
+    Frame frame;
+    frame.rect = options.rect;
+    frame.theme = scene.theme;
+    frame.surface = std::move(surface);
+    frame.toward_light = toward(scene.light);
+    if (matrices.inverse_transpose) frame.error_matrices = std::array<glm::mat3, 2>{matrices.naive, *matrices.inverse_transpose};
+    const bool ghost = scene.show.ghost && scene.view == ViewMode::Overlay && !scene.stack.empty();
+    if (scene.show.grid) frame.ground_height = ground_height(frame.surface->mesh, m, ghost);
+    frame.shadow_from_world = shadow_disc(m);
+    frame.panes = empty_panes(scene, options.rect);
+
+    std::optional<Probe> probe;
+    if (scene.probe) probe = nearest_probe(frame.surface->mesh, *scene.probe);
+    else probe = probe_in_view(frame.surface->mesh, m, frame.panes.front().view, 0.5 * glm::dvec2(frame.panes.front().rect.size));
+    if (probe) frame.probe = in_world(*probe, m);
+
+    for (Pane& pane : frame.panes) {
+        add_surfaces(pane, scene, m, ghost);
+        add_arrows(pane, scene, m);
+        if (scene.show.axes) add_axes(pane, scene, options);
+        if (frame.probe) add_probe_marks(pane, scene, *frame.probe, options);
+        if (scene.view == ViewMode::Split) {
+            constexpr std::array<std::string_view, 3> kTitles{"Naive", "Inverse transpose", "Cofactor"};
+            pane.labels.push_back({Label::Role::Title, glm::vec2(pane.rect.origin) + glm::vec2(0.5f * static_cast<float>(pane.rect.size.x), 0.0f),
+                                   std::string(kTitles[static_cast<std::size_t>(pane.rule)]) + "   " + std::string(formula(pane.rule)),
+                                   rule_color(pane.rule)});
+        }
+    }
+    if (scene.show.legend) add_legend(frame, scene, matrices);
+    return frame;
+}
+
+}  // namespace normalscope

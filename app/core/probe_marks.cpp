@@ -1,0 +1,125 @@
+#include "core/probe_marks.h"
+
+#include "core/solids.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace normalscope {
+
+namespace {
+
+// The plane that the world tangents span; empty where M has collapsed it.
+struct TangentPlane {
+    glm::dvec3 centre, normal, u, v;  // orthonormal
+};
+std::optional<TangentPlane> tangent_plane(const ProbeInWorld& probe, const glm::dvec3& preferred_u) {
+    const glm::dvec3 t0 = probe.tangents[0].xyz, t1 = probe.tangents[1].xyz;
+    const double l0 = glm::length(t0), l1 = glm::length(t1);
+    if (!(l0 > 0.0) || !(l1 > 0.0)) return std::nullopt;
+    const glm::dvec3 across = glm::cross(t0 / l0, t1 / l1);
+    if (glm::length(across) < 1e-9) return std::nullopt;
+    const glm::dvec3 n = glm::normalize(across);
+    glm::dvec3 u = preferred_u - glm::dot(preferred_u, n) * n;
+    u = glm::length(u) > 1e-3 ? glm::normalize(u) : t0 / l0;
+    return TangentPlane{probe.point.xyz, n, u, glm::cross(n, u)};
+}
+
+// From one unit vector to another, less than 180° apart, by spherical linear interpolation (Shoemake, 1985).
+std::vector<glm::dvec3> arc_between(const glm::dvec3& centre, const glm::dvec3& from, const glm::dvec3& to, double radius) {
+    const double angle = glm::radians(angle_degrees(from, to).value_or(0.0));
+    const int steps = std::max(3, static_cast<int>(angle / 0.08));
+    std::vector<glm::dvec3> arc;
+    for (int i = 0; i <= steps; ++i) {
+        const double s = static_cast<double>(i) / steps;
+        arc.push_back(centre + radius / std::sin(angle) * (std::sin((1.0 - s) * angle) * from + std::sin(s * angle) * to));
+    }
+    return arc;
+}
+
+void add_angle_label(Pane& pane, const std::vector<glm::dvec3>& arc, double degrees, const glm::vec3& color) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f\u00B0", degrees);
+    const glm::dvec3 at = pane.view.pixel({arc[arc.size() / 2]});
+    if (at.z > 0.0) pane.labels.push_back({Label::Role::Angle, glm::vec2(pane.rect.origin) + glm::vec2(at), text, color});
+}
+
+bool parallel(const glm::dvec3& a, const glm::dvec3& b) { return glm::length(glm::cross(a, b)) < 1e-9; }
+
+}  // namespace
+
+void add_probe_marks(Pane& pane, const Scene& scene, const ProbeInWorld& probe, const FrameOptions& options) {
+    const std::vector<ArrowKind> kinds = shown_arrows(scene, pane.rule);
+    const auto shows = [&](ArrowKind kind) { return std::ranges::count(kinds, kind) > 0; };
+    const auto unit_normal = [&](Rule rule) -> std::optional<glm::dvec3> {
+        const auto& n = probe.normals[static_cast<std::size_t>(rule)];
+        if (!n || !shows(arrow_kind(rule)) || !(glm::length(n->xyz) > 0.0)) return std::nullopt;
+        return glm::normalize(n->xyz);
+    };
+
+    const double pixel = options.pixel_scale * pane.view.world_per_pixel(probe.point);
+    const double length = std::max(3.6 * scene.arrows.length, 60.0 * pixel);
+    const double radius = std::max(0.022 * length, 1.7 * pixel);
+    const double line = std::max(0.007, 1.1 * pixel);
+    const glm::dvec3 centre = probe.point.xyz;
+
+    // The naive normal's lean decides how the plane is turned, so that the error shows in profile.
+    const std::optional<glm::dvec3> naive = unit_normal(Rule::Naive);
+    const std::optional<glm::dvec3> correct = unit_normal(Rule::InverseTranspose);
+    const auto plane = tangent_plane(probe, naive.value_or(glm::dvec3(0.0)));
+
+    if (scene.show.tangent_plane && plane) {
+        const double half = 0.62 * length;
+        const glm::vec4 blue(kTangentColor, 1.0f);
+        // Lifted a little, or it would flicker against the surface that it touches.
+        const double side = glm::dot(plane->normal, pane.view.eye().xyz - centre) < 0.0 ? -1.0 : 1.0;
+        const glm::dvec3 lifted = centre + side * 0.012 * plane->normal;
+        add_patch(pane.translucent, lifted, half * plane->u, half * plane->v, glm::vec4(kTangentColor, 0.20f));
+        const std::array rim{lifted - half * plane->u - half * plane->v, lifted + half * plane->u - half * plane->v,
+                             lifted + half * plane->u + half * plane->v, lifted - half * plane->u + half * plane->v};
+        add_tube(pane.solids, rim, 0.7 * line, blue, true);
+        for (const Vector<World>& t : probe.tangents)
+            if (glm::length(t.xyz) > 0.0) add_arrow(pane.solids, centre, 0.6 * length * glm::normalize(t.xyz), 0.6 * radius, blue);
+    }
+    if (!scene.show.probe) return;
+
+    if (shows(ArrowKind::Object) && scene.show.ghost)
+        add_arrow(pane.solids, probe.object.point.xyz, length * probe.object.normal.xyz, radius,
+                  glm::vec4(arrow_color(ArrowKind::Object, scene.theme), 1.0f));
+
+    add_ball(pane.solids, centre, 1.8 * radius, glm::vec4(theme_colors(scene.theme).text, 1.0f));
+    for (const Rule rule : kRules) {
+        const auto n = unit_normal(rule);
+        if (!n) continue;
+        const glm::vec4 color(rule_color(rule), 1.0f);
+        // Where the cofactor agrees with the inverse transpose, let it stand inside as a shorter, thicker arrow.
+        const bool hidden = rule == Rule::Cofactor && correct && glm::dot(*correct, *n) > 0.0 && parallel(*correct, *n);
+        add_arrow(pane.solids, centre, (hidden ? 0.7 : 1.0) * length * *n, (hidden ? 1.35 : 1.0) * radius, color);
+        if (!scene.show.tangent_plane || !plane) continue;
+        // A right angle gets its square; any other gets an arc down to the plane, on the side to which the arrow leans.
+        const glm::dvec3 up = glm::dot(plane->normal, *n) < 0.0 ? -plane->normal : plane->normal;
+        if (parallel(up, *n)) {
+            const double arm = 0.2 * length;
+            const glm::dvec3 along = -plane->u;
+            add_tube(pane.solids, std::array{centre + arm * along, centre + arm * along + arm * up, centre + arm * up}, line, color);
+        } else {
+            const glm::dvec3 foot = glm::normalize(*n - glm::dot(*n, up) * up);
+            const std::vector<glm::dvec3> arc = arc_between(centre, foot, *n, 0.3 * length);
+            add_tube(pane.solids, arc, line, color);
+            if (!correct) add_angle_label(pane, arc, *angle_degrees(foot, *n), rule_color(rule));
+        }
+    }
+
+    if (naive && correct && !parallel(*naive, *correct)) {
+        const std::vector<glm::dvec3> arc = arc_between(centre, *naive, *correct, 0.78 * length);
+        add_tube(pane.solids, arc, line, glm::vec4(theme_colors(scene.theme).text, 1.0f));
+        add_angle_label(pane, arc, *angle_degrees(*naive, *correct), theme_colors(scene.theme).text);
+    }
+}
+
+}  // namespace normalscope
