@@ -41,14 +41,22 @@ std::string read_file(const std::filesystem::path& file, std::size_t largest) {
     errno = 0;
     const File in(std::fopen(file.c_str(), "rb"));
     if (!in) fail(file, "cannot be read", errno);
-    std::string bytes;
-    char block[1 << 16];
-    while (const std::size_t got = std::fread(block, 1, sizeof block, in.get())) {
-        bytes.append(block, got);
-        if (bytes.size() > largest)
-            throw InputError(file.string() + ": is larger than " + std::to_string(largest >> 20) + " MiB, the most that is read");
+    const auto too_large = [&] {
+        throw InputError(file.string() + ": is larger than " + std::to_string(largest >> 20) + " MiB, the most that is read");
+    };
+    // The size that the file says it has is a hint only: a pipe says nothing, and a file may grow meanwhile.
+    std::error_code unknown;
+    const std::uintmax_t size = std::filesystem::file_size(file, unknown);
+    if (!unknown && size > largest) too_large();
+    std::string bytes(unknown ? std::size_t{1} << 16 : static_cast<std::size_t>(size) + 1, '\0');
+    std::size_t filled = 0;
+    while (const std::size_t got = std::fread(bytes.data() + filled, 1, bytes.size() - filled, in.get())) {
+        filled += got;
+        if (filled > largest) too_large();
+        if (filled == bytes.size()) bytes.resize(2 * filled);
     }
     if (std::ferror(in.get())) fail(file, "cannot be read", errno);
+    bytes.resize(filled);
     return bytes;
 }
 
