@@ -7,7 +7,8 @@ namespace normalscope {
 
 namespace {
 
-constexpr double kKnobDistance = 1.15;  // beyond the unit ball, where the object ends
+constexpr double kBeyond = 1.15;  // of the extent: outside the object, yet within the picture
+constexpr double kLeast = 0.4;    // of a flat object, lest the knobs crowd together
 
 auto first_scale(const std::vector<StackEntry>& stack) {
     return std::ranges::find_if(stack, [](const StackEntry& e) { return std::holds_alternative<Scale>(e); });
@@ -15,7 +16,7 @@ auto first_scale(const std::vector<StackEntry>& stack) {
 
 }  // namespace
 
-std::vector<AxisHandle> axis_handles(const Scene& scene) {
+std::vector<AxisHandle> axis_handles(const Scene& scene, const glm::dvec3& extent) {
     const auto scale = first_scale(scene.stack);
     const bool any = scale != scene.stack.end();
     const glm::dvec3 factors = any ? std::get<Scale>(*scale).factors : glm::dvec3(1.0);
@@ -23,7 +24,7 @@ std::vector<AxisHandle> axis_handles(const Scene& scene) {
     std::vector<AxisHandle> handles;
     for (int axis = 0; axis < 3; ++axis) {
         Vector<Object> direction;
-        direction.xyz[axis] = kKnobDistance;
+        direction.xyz[axis] = std::max(kBeyond * extent[axis], kLeast);
         const AxisHandle handle{axis, after(Point<Object>{}), after(direction), factors[axis]};
         if (glm::length(handle.unit.xyz) > 1e-6) handles.push_back(handle);
     }

@@ -18,8 +18,9 @@ struct AxisHandle {
     Point<World> knob() const { return origin + factor * unit; }
 };
 
-/// Handles whose direction later entries of the stack have collapsed are left out.
-std::vector<AxisHandle> axis_handles(const Scene& scene);
+/// `extent` is the object's (Surface::extent): the knobs stand a little beyond it. Handles whose direction later entries
+/// of the stack have collapsed are left out.
+std::vector<AxisHandle> axis_handles(const Scene& scene, const glm::dvec3& extent);
 
 /// The handle whose knob lies within `reach` pixels; the nearest to the eye of several.
 std::optional<AxisHandle> handle_at(const std::vector<AxisHandle>& handles, const CameraView& view, glm::dvec2 pixel, double reach);

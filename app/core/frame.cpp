@@ -62,6 +62,8 @@ void add_surfaces(Pane& pane, const Scene& scene, const WorldFromObject& m, bool
     }
     // A reflection turns the picture's winding over. The gradient's outside stays; the cofactor's turns with it.
     object.outside = matrices.determinant < 0.0 && pane.rule != Rule::Cofactor ? -1.0f : 1.0f;
+    // Flattened, front and back lie in the same place: neither is an inside to be shown.
+    object.inside_color = matrices.rank < 3 ? colors.surface : colors.inside;
     object.by_error = scene.color == SurfaceColor::Error && matrices.inverse_transpose.has_value();
     pane.surfaces.push_back(object);
     if (ghost)
@@ -86,8 +88,8 @@ void add_arrows(Pane& pane, const Scene& scene, const WorldFromObject& m) {
     }
 }
 
-void add_axes(Pane& pane, const Scene& scene, const FrameOptions& options) {
-    for (const AxisHandle& handle : axis_handles(scene)) {
+void add_axes(Pane& pane, const Scene& scene, const glm::dvec3& extent, const FrameOptions& options) {
+    for (const AxisHandle& handle : axis_handles(scene, extent)) {
         const glm::vec3 color = kAxisColors[static_cast<std::size_t>(handle.axis)];
         const bool hot = options.hot_axis == handle.axis;
         const double thickness = std::max(0.010, 1.4 * options.pixel_scale * pane.view.world_per_pixel(handle.origin));
@@ -104,17 +106,15 @@ void add_axes(Pane& pane, const Scene& scene, const FrameOptions& options) {
 
 // The blob under the object: the shadow of M's image of the unit ball in light from straight above. With A the x and z
 // rows of M3, the shadow is the ellipse pᵀ (A Aᵀ)⁻¹ p ≤ 1; Cholesky's A Aᵀ = L Lᵀ turns it into the disc |L⁻¹ p| ≤ 1.
-glm::mat4 shadow_disc(const WorldFromObject& m) {
+glm::mat3 shadow_disc(const WorldFromObject& m) {
     const glm::dmat3& m3 = m.normal_matrices_by_rule().naive;
     const glm::dvec3 x(m3[0].x, m3[1].x, m3[2].x), z(m3[0].z, m3[1].z, m3[2].z);
     constexpr double kSoft = 0.02;  // keeps the shadow of a flattened object from vanishing
     const double l11 = std::sqrt(glm::dot(x, x) + kSoft), l21 = glm::dot(x, z) / l11;
     const double l22 = std::sqrt(std::max(glm::dot(z, z) + kSoft - l21 * l21, kSoft));
     const glm::dvec3 centre = m(Point<Object>{}).xyz;
-    glm::dmat4 disc(0.0);
-    disc[0] = glm::dvec4(1.0 / l11, 0.0, -l21 / (l11 * l22), 0.0);
-    disc[2] = glm::dvec4(0.0, 0.0, 1.0 / l22, 0.0);
-    disc[3] = -disc * glm::dvec4(centre, 0.0);
+    glm::dmat3 disc(1.0 / l11, -l21 / (l11 * l22), 0.0, 0.0, 1.0 / l22, 0.0, 0.0, 0.0, 1.0);
+    disc[2] -= disc * glm::dvec3(centre.x, centre.z, 0.0);
     return drawable(disc);
 }
 
@@ -166,7 +166,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     if (matrices.inverse_transpose) frame.error_matrices = std::array<glm::mat3, 2>{matrices.naive, *matrices.inverse_transpose};
     const bool ghost = scene.show.ghost && scene.view == ViewMode::Overlay && !scene.stack.empty();
     if (scene.show.grid) frame.ground_height = ground_height(frame.surface->mesh, m, ghost);
-    frame.shadow_from_world = shadow_disc(m);
+    frame.shadow_from_ground = shadow_disc(m);
     frame.panes = empty_panes(scene, options.rect);
 
     std::optional<Probe> probe;
@@ -177,7 +177,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     for (Pane& pane : frame.panes) {
         add_surfaces(pane, scene, m, ghost);
         add_arrows(pane, scene, m);
-        if (scene.show.axes) add_axes(pane, scene, options);
+        if (scene.show.axes) add_axes(pane, scene, frame.surface->extent, options);
         if (frame.probe) add_probe_marks(pane, scene, *frame.probe, options);
         if (scene.view == ViewMode::Split) {
             constexpr std::array<std::string_view, 3> kTitles{"Naive", "Inverse transpose", "Cofactor"};

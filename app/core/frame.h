@@ -31,6 +31,7 @@ struct SurfaceDraw {
     /// +1 or −1: what turns the winding that the picture shows into the side that `normal_matrix` takes for outside.
     float outside = 1.0f;
     glm::vec4 color{1.0f};         ///< alpha below 1: a ghost
+    glm::vec3 inside_color{1.0f};  ///< of the back of an open surface
     bool by_error = false;         ///< coloured by the naive rule's error instead
 };
 
@@ -86,7 +87,7 @@ struct Frame {
     /// M3 and (M3⁻¹)ᵀ for the error map; empty where there is no inverse.
     std::optional<std::array<glm::mat3, 2>> error_matrices;
     std::optional<float> ground_height;          ///< of the grid; empty: no grid
-    glm::mat4 shadow_from_world{0.0f};           ///< to the unit ball that stands in for the object's shadow
+    glm::mat3 shadow_from_ground{0.0f};          ///< (x, z, 1) to a disc that is 1 where the object's shadow ends
     std::vector<LegendEntry> legend;
     bool error_legend = false;
     std::optional<ProbeInWorld> probe;

@@ -63,7 +63,7 @@ void add_probe_marks(Pane& pane, const Scene& scene, const ProbeInWorld& probe, 
     };
 
     const double pixel = options.pixel_scale * pane.view.world_per_pixel(probe.point);
-    const double length = std::max(3.6 * scene.arrows.length, 60.0 * pixel);
+    const double length = std::max(4.6 * scene.arrows.length, 70.0 * pixel);
     const double radius = std::max(0.022 * length, 1.7 * pixel);
     const double line = std::max(0.007, 1.1 * pixel);
     const glm::dvec3 centre = probe.point.xyz;

@@ -3,6 +3,8 @@
 #include "core/mesh_file.h"
 #include "core/shapes.h"
 
+#include <glm/common.hpp>
+
 #include <tuple>
 
 namespace normalscope {
@@ -21,6 +23,7 @@ std::shared_ptr<const Surface> SurfaceCache::get(const Scene& scene) {
     const bool faces = scene.arrows.at == ArrowPlacement::Faces;
     auto surface = std::make_shared<Surface>();
     surface->area = surface_area(*mesh_);
+    for (const glm::dvec3& p : mesh_->positions) surface->extent = glm::max(surface->extent, glm::abs(p));
     surface->arrows = thinned(faces ? face_sites(*mesh_) : vertex_sites(*mesh_), static_cast<std::size_t>(scene.arrows.every),
                               static_cast<std::size_t>(scene.arrows.limit), surface->area);
     surface->mesh = faces ? flat_shaded(*mesh_) : *mesh_;

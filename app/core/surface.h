@@ -14,6 +14,7 @@ struct Surface {
     Mesh mesh;
     std::vector<Site> arrows;
     double area = 0.0;
+    glm::dvec3 extent{0.0};  ///< the largest |x|, |y| and |z|
 };
 
 /// Keeps the last surface, and what it was made from, so that only what changed is made again: a mesh file is read
