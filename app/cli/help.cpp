@@ -61,7 +61,8 @@ std::string usage_line(const CLI::App& app) {
     std::string line = full_name(app) + " [OPTIONS]";
     const auto named = [](const CLI::Option* o) { return !o->get_positional() && o->get_required(); };
     for (const CLI::Option* option : app.get_options(named)) {
-        const std::string name = option->get_snames().empty() ? "--" + option->get_lnames().front() : "-" + option->get_snames().front();
+        const std::string name =
+            option->get_snames().empty() ? "--" + option->get_lnames().front() : "-" + option->get_snames().front();
         line += " " + name + " " + option->get_type_name();
     }
     for (const CLI::Option* option : app.get_options([](const CLI::Option* o) { return o->get_positional(); })) {
@@ -79,8 +80,10 @@ std::string help_text(const CLI::App& app) {
         commands.push_back({command->get_name(), command->get_description()});
     if (!commands.empty()) out += "       " + full_name(app) + " COMMAND --help\n";
     for (const CLI::Option* option : app.get_options()) {
-        if (option->get_positional()) arguments.push_back({option->get_name(true), option_text(*option)});
-        else options.push_back({option_name(*option), option_text(*option)});
+        if (option->get_positional())
+            arguments.push_back({option->get_name(true), option_text(*option)});
+        else
+            options.push_back({option_name(*option), option_text(*option)});
     }
     write_section(out, "Commands", commands);
     write_section(out, "Arguments", arguments);

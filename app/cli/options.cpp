@@ -5,8 +5,8 @@
 #include "cli/values.h"
 #include "core/error.h"
 
-#include <CLI/CLI.hpp>
 #include <config.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <functional>
@@ -42,7 +42,8 @@ void set_up(CLI::App& app, const std::string& examples) {
     app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
-CLI::Option& add(CLI::App& app, const std::string& name, std::string& value, const std::string& word, const std::string& help) {
+CLI::Option& add(CLI::App& app, const std::string& name, std::string& value, const std::string& word,
+                 const std::string& help) {
     CLI::Option& option = *app.add_option(name, value, help)->type_name(word);
     if (!value.empty()) option.capture_default_str();
     return option;
@@ -54,8 +55,9 @@ CLI::Option& add_file(CLI::App& app, std::string& value) {
 }
 
 void add_settings(CLI::App& app, std::vector<std::string>& value) {
-    app.add_option("--set", value,
-                   "Change the scene: a dotted path and a JSON value, where a bare word is a string; may be given again")
+    app.add_option(
+           "--set", value,
+           "Change the scene: a dotted path and a JSON value, where a bare word is a string; may be given again")
         ->type_name("PATH=VALUE")
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->allow_extra_args(false);  // one value each, or it would eat the FILE after it
@@ -82,7 +84,8 @@ Declared declare_view(CLI::App& root) {
 Declared declare_capture(CLI::App& root) {
     struct Given {
         CaptureCommand command;
-        std::string output, numbers, size = text_of(command.size), samples = std::to_string(command.samples), context = "auto";
+        std::string output, numbers, size = text_of(command.size), samples = std::to_string(command.samples),
+                                     context = "auto";
     };
     const auto given = std::make_shared<Given>();
     CLI::App& app = *root.add_subcommand("capture", "Draw a picture offscreen, without a display");
@@ -96,11 +99,13 @@ Declared declare_capture(CLI::App& root) {
     add(app, "--size", given->size, "WIDTHxHEIGHT", "In pixels");
     add(app, "--samples", given->samples, "N", "Samples a pixel, against jagged edges: 1, 2 or 4");
     add(app, "--context", given->context, "KIND",
-        "What draws: osmesa (software), egl (a graphics processor, or software), or auto: osmesa where it is installed, else egl");
+        "What draws: osmesa (software), egl (a graphics processor, or software), or auto: osmesa where it is "
+        "installed, else egl");
     app.add_flag("--panel", given->command.panel, "Draw the interface too");
     add_settings(app, given->command.settings);
-    CLI::Option& numbers = add(app, "--numbers", given->numbers, "OUT.json",
-                               "Write what the picture means as JSON: matrices, angles, the probe; - is standard output");
+    CLI::Option& numbers =
+        add(app, "--numbers", given->numbers, "OUT.json",
+            "Write what the picture means as JSON: matrices, angles, the probe; - is standard output");
     return {&app, [given, &numbers] {
                 CaptureCommand command = given->command;
                 command.output = parse_output("--output", given->output);
@@ -109,7 +114,8 @@ Declared declare_capture(CLI::App& root) {
                 command.context = parse_context("--context", given->context);
                 if (numbers.count() > 0) command.numbers = parse_output("--numbers", given->numbers);
                 if (command.numbers == command.output)
-                    throw UsageError("--numbers " + given->numbers + ": the picture goes there already; write one of them elsewhere");
+                    throw UsageError("--numbers " + given->numbers +
+                                     ": the picture goes there already; write one of them elsewhere");
                 return command;
             }};
 }
@@ -123,7 +129,8 @@ Declared declare_scenes(CLI::App& root) {
 Declared declare_compare(CLI::App& root) {
     struct Given {
         CompareCommand command;
-        std::string actual, expected, diff, tolerance = std::to_string(command.tolerance), share = text_of(command.share);
+        std::string actual, expected, diff, tolerance = std::to_string(command.tolerance),
+                                            share = text_of(command.share);
     };
     const auto given = std::make_shared<Given>();
     CLI::App& app = *root.add_subcommand("compare", "Compare two pictures: exit code 0 if they agree, 1 if not");
@@ -157,7 +164,8 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::vector<std::string> command_names(const CLI::App& root) {
     std::vector<std::string> names;
-    for (const CLI::App* command : root.get_subcommands([](const CLI::App*) { return true; })) names.push_back(command->get_name());
+    for (const CLI::App* command : root.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
     return names;
 }
 
@@ -173,8 +181,8 @@ void refuse_extras(const CLI::App& app) {
         const std::string name = extra.substr(0, extra.find('='));
         const std::string who = app.get_parent() ? app.get_parent()->get_name() + " " + app.get_name() : app.get_name();
         const auto meant = nearest(name, known);
-        throw UsageError(name + ": " + who + " has no such option; " + (meant ? "did you mean " + *meant + "? It" : "it") +
-                         " has " + joined(known));
+        throw UsageError(name + ": " + who + " has no such option; " +
+                         (meant ? "did you mean " + *meant + "? It" : "it") + " has " + joined(known));
     }
 }
 
@@ -195,7 +203,8 @@ void refuse_misspelt_command(const CLI::App& root, const std::string& file) {
     if (file.find_first_of("./") != std::string::npos || std::filesystem::exists(file, ignored)) return;
     const std::vector<std::string> names = command_names(root);
     if (const auto meant = nearest(file, names))
-        throw UsageError(file + ": no such command or file; did you mean " + *meant + "? The commands are " + joined(names));
+        throw UsageError(file + ": no such command or file; did you mean " + *meant + "? The commands are " +
+                         joined(names));
 }
 
 }  // namespace

@@ -34,7 +34,8 @@ glm::ivec2 parse_size(const std::string& option, const std::string& text) {
     if (*width < 1 || *height < 1) fail(option, text, "a picture has at least 1 pixel a side");
     if (*width > kLongestSide || *height > kLongestSide || *width * *height > kMostPixels)
         fail(option, text,
-             "a picture has at most " + std::to_string(kLongestSide) + " pixels a side and " + std::to_string(kMostPixels) + " in all");
+             "a picture has at most " + std::to_string(kLongestSide) + " pixels a side and " +
+                 std::to_string(kMostPixels) + " in all");
     return {static_cast<int>(*width), static_cast<int>(*height)};
 }
 

@@ -14,9 +14,12 @@ struct Image {
     std::vector<std::uint8_t> rgba;  ///< 4 · size.x · size.y bytes
 
     const std::uint8_t* pixel(int x, int y) const {
-        return rgba.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x));
+        return rgba.data() +
+               4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x));
     }
-    std::uint8_t* pixel(int x, int y) { return const_cast<std::uint8_t*>(static_cast<const Image&>(*this).pixel(x, y)); }
+    std::uint8_t* pixel(int x, int y) {
+        return const_cast<std::uint8_t*>(static_cast<const Image&>(*this).pixel(x, y));
+    }
 };
 
 /// Black and transparent.

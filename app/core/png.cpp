@@ -71,7 +71,8 @@ std::string png_bytes(const Image& image) {
     bytes.reserve(image.rgba.size() + image.rgba.size() / 64 + (std::size_t{1} << 16));
     Encoder encoder{bytes, {}};
     if (!encode(encoder, image, is_opaque(image)))
-        throw InputError("the picture could not be encoded as PNG: " + (encoder.error.empty() ? "no memory" : encoder.error));
+        throw InputError("the picture could not be encoded as PNG: " +
+                         (encoder.error.empty() ? "no memory" : encoder.error));
     return bytes;
 }
 
@@ -90,7 +91,8 @@ Image read_png(const std::filesystem::path& file) {
         png_image& png;
         ~Free() { png_image_free(&png); }
     } const free_at_end{png};
-    if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size())) fail("is a damaged PNG picture: " + std::string(png.message));
+    if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()))
+        fail("is a damaged PNG picture: " + std::string(png.message));
     // Judged before anything is allocated for the pixels: a small file can claim any size.
     const std::int64_t pixels = std::int64_t{png.width} * png.height;
     const std::string size = std::to_string(png.width) + "x" + std::to_string(png.height);
@@ -98,12 +100,14 @@ Image read_png(const std::filesystem::path& file) {
         fail("is a picture of " + size + " pixels; at most " + std::to_string(kLongestSide) + " a side and " +
              std::to_string(kMostPixels) + " in all are read");
     if (pixels / 8 / kBestDeflateRatio > static_cast<std::int64_t>(bytes.size()))
-        fail("is a damaged PNG picture: its " + std::to_string(bytes.size()) + " bytes cannot hold " + size + " pixels");
+        fail("is a damaged PNG picture: its " + std::to_string(bytes.size()) + " bytes cannot hold " + size +
+             " pixels");
 
     png.format = PNG_FORMAT_RGBA;
     png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // 16 bits without a gamma: as pictures are, not linear
     Image image = make_image({static_cast<int>(png.width), static_cast<int>(png.height)});
-    if (!png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr)) fail("is a damaged PNG picture: " + std::string(png.message));
+    if (!png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr))
+        fail("is a damaged PNG picture: " + std::string(png.message));
     return image;
 }
 
