@@ -63,6 +63,12 @@ std::string read_file(const std::filesystem::path& file, std::size_t largest) {
 void write_file(const std::filesystem::path& file, std::string_view bytes) {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(file, error);
+    if (file == "/dev/stdout") {  // the stream itself: where it is a plain file, a rename would replace that file, or the link
+        errno = 0;
+        if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0)
+            fail("standard output", "cannot be written", errno);
+        return;
+    }
     if (std::filesystem::is_directory(status)) throw InputError(file.string() + ": is a folder, not a file");
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return write_all(file, file, bytes);
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace normalscope {
+
+/// "normalscope capture [OPTIONS] [FILE]"
+std::string usage_line(const CLI::App& app);
+
+/// A command's help from its declared options, at most 100 columns wide. Laid out here because CLI11's own layout
+/// differs from version to version.
+std::string help_text(const CLI::App& app);
+
+}  // namespace normalscope

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace normalscope {
+
+/// The name that was probably meant: few letters differ; empty where none comes near.
+std::optional<std::string> nearest(std::string_view word, std::span<const std::string> names);
+
+}  // namespace normalscope

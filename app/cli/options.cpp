@@ -1,0 +1,245 @@
+#include "cli/options.h"
+
+#include "cli/help.h"
+#include "cli/nearest.h"
+#include "cli/values.h"
+#include "core/error.h"
+
+#include <config.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <sstream>
+#include <system_error>
+
+namespace normalscope {
+
+namespace {
+
+const std::string kVersion = "normalscope " NORMALSCOPE_VERSION;
+
+// A declared command, and what its options make. Values stay text while CLI11 parses, and are read here: its own
+// messages differ from version to version.
+struct Declared {
+    CLI::App* app;
+    std::function<Command()> make;
+};
+
+std::string text_of(glm::ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
+std::string text_of(double number) {
+    std::ostringstream text;
+    text << number;
+    return text.str();
+}
+
+void set_up(CLI::App& app, const std::string& examples) {
+    app.set_help_flag("-h,--help", "Print this help");
+    app.set_version_flag("--version", kVersion, "Print the version");
+    app.footer("Examples:\n" + examples);
+    app.allow_extras();  // they are answered by refuse_extras
+    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
+CLI::Option& add(CLI::App& app, const std::string& name, std::string& value, const std::string& word,
+                 const std::string& help) {
+    CLI::Option& option = *app.add_option(name, value, help)->type_name(word);
+    if (!value.empty()) option.capture_default_str();
+    return option;
+}
+
+CLI::Option& add_file(CLI::App& app, std::string& value) {
+    return add(app, "FILE", value, "",
+               "A scene (.json), a mesh (.obj, .ply, .stl), or the name of a built-in scene (see normalscope scenes)");
+}
+
+void add_settings(CLI::App& app, std::vector<std::string>& value) {
+    app.add_option(
+           "--set", value,
+           "Change the scene: a dotted path and a JSON value, where a bare word is a string; may be given again")
+        ->type_name("PATH=VALUE")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->allow_extra_args(false);  // one value each, or it would eat the FILE after it
+}
+
+// ---- One function a command --------------------------------------------------------------------------------------
+
+Declared declare_view(CLI::App& root) {
+    const auto command = std::make_shared<ViewCommand>();
+    const auto file = std::make_shared<std::string>();
+    set_up(root,
+           "  normalscope                            the window, with a scaled sphere and its normals\n"
+           "  normalscope bunny.obj                  the same with your mesh\n"
+           "  normalscope split --set theme=dark     a built-in scene, changed\n"
+           "  normalscope capture split -o out.png   a picture, without a window");
+    CLI::Option& given = add_file(root, *file);
+    add_settings(root, command->settings);
+    return {&root, [=, &given] {
+                if (given.count() > 0) command->file = *file;
+                return *command;
+            }};
+}
+
+Declared declare_capture(CLI::App& root) {
+    struct Given {
+        CaptureCommand command;
+        std::string output, numbers, size = text_of(command.size), samples = std::to_string(command.samples),
+                                     context = "auto";
+    };
+    const auto given = std::make_shared<Given>();
+    CLI::App& app = *root.add_subcommand("capture", "Draw a picture offscreen, without a display");
+    set_up(app,
+           "  normalscope capture -o sphere.png\n"
+           "  normalscope capture bunny.obj -o bunny.png --set 'stack.0.scale=[1,2,1]' --set rule=naive\n"
+           "  normalscope capture lecture.json -o lecture.png --size 1920x1080 --numbers lecture.numbers.json\n"
+           "  normalscope capture shear -o - | display");
+    add_file(app, given->command.file).capture_default_str();
+    add(app, "-o,--output", given->output, "OUT.png", "The picture to write; - is standard output").required();
+    add(app, "--size", given->size, "WIDTHxHEIGHT", "In pixels");
+    add(app, "--samples", given->samples, "N", "Samples a pixel, against jagged edges: 1, 2 or 4");
+    add(app, "--context", given->context, "KIND",
+        "What draws: osmesa (software), egl (a graphics processor, or software), or auto: osmesa where it is "
+        "installed, else egl");
+    app.add_flag("--panel", given->command.panel, "Draw the interface too");
+    add_settings(app, given->command.settings);
+    CLI::Option& numbers =
+        add(app, "--numbers", given->numbers, "OUT.json",
+            "Write what the picture means as JSON: matrices, angles, the probe; - is standard output");
+    return {&app, [given, &numbers] {
+                CaptureCommand command = given->command;
+                command.output = parse_output("--output", given->output);
+                command.size = parse_size("--size", given->size);
+                command.samples = parse_samples("--samples", given->samples);
+                command.context = parse_context("--context", given->context);
+                if (numbers.count() > 0) command.numbers = parse_output("--numbers", given->numbers);
+                if (command.numbers == command.output)
+                    throw UsageError("--numbers " + given->numbers +
+                                     ": the picture goes there already; write one of them elsewhere");
+                return command;
+            }};
+}
+
+Declared declare_scenes(CLI::App& root) {
+    CLI::App& app = *root.add_subcommand("scenes", "List the built-in scenes");
+    set_up(app, "  normalscope scenes");
+    return {&app, [] { return ScenesCommand{}; }};
+}
+
+Declared declare_compare(CLI::App& root) {
+    struct Given {
+        CompareCommand command;
+        std::string actual, expected, diff, tolerance = std::to_string(command.tolerance),
+                                            share = text_of(command.share);
+    };
+    const auto given = std::make_shared<Given>();
+    CLI::App& app = *root.add_subcommand("compare", "Compare two pictures: exit code 0 if they agree, 1 if not");
+    set_up(app,
+           "  normalscope compare actual.png expected.png\n"
+           "  normalscope compare actual.png expected.png --tolerance 0 --share 0 --diff difference.png");
+    add(app, "ACTUAL", given->actual, "", "The picture to judge (.png)").required();
+    add(app, "EXPECTED", given->expected, "", "What it should look like (.png)").required();
+    add(app, "--tolerance", given->tolerance, "N", "How far a channel may be off, of 255");
+    add(app, "--share", given->share, "S", "The share of pixels that may be further off, 0 to 1");
+    CLI::Option& diff = add(app, "--diff", given->diff, "OUT.png",
+                            "Write a picture of both and of where they differ, side by side; - is standard output");
+    return {&app, [given, &diff] {
+                CompareCommand command = given->command;
+                command.actual = given->actual;
+                command.expected = given->expected;
+                command.tolerance = parse_tolerance("--tolerance", given->tolerance);
+                command.share = parse_share("--share", given->share);
+                if (diff.count() > 0) command.diff = parse_output("--diff", given->diff);
+                return command;
+            }};
+}
+
+// ---- What is wrong with a command line ---------------------------------------------------------------------------
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+std::vector<std::string> command_names(const CLI::App& root) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : root.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(command->get_name());
+    return names;
+}
+
+// What no option and no argument took.
+void refuse_extras(const CLI::App& app) {
+    for (const std::string& extra : app.remaining()) {
+        if (extra == "--") continue;
+        if (!extra.starts_with("-") || extra == "-")
+            throw UsageError(extra + ": that is one argument too many; usage: " + usage_line(app));
+        std::vector<std::string> known;
+        for (const CLI::Option* option : app.get_options([](const CLI::Option* o) { return !o->get_positional(); }))
+            known.push_back("--" + option->get_lnames().front());
+        const std::string name = extra.substr(0, extra.find('='));
+        const std::string who = app.get_parent() ? app.get_parent()->get_name() + " " + app.get_name() : app.get_name();
+        const auto meant = nearest(name, known);
+        throw UsageError(name + ": " + who + " has no such option; " +
+                         (meant ? "did you mean " + *meant + "? It" : "it") + " has " + joined(known));
+    }
+}
+
+[[noreturn]] void refuse(const CLI::App& app, const CLI::ParseError& error) {
+    refuse_extras(app);  // where a name is misspelt, that is what to say, not what is missing for it
+    for (const CLI::Option* option : app.get_options())
+        if (option->get_required() && option->count() == 0 && error.get_name() == "RequiredError")
+            throw UsageError((option->get_positional() ? option->get_name(true) : "--" + option->get_lnames().front()) +
+                             " is missing; usage: " + usage_line(app));
+    std::string line = error.what();
+    std::ranges::replace(line, '\n', ' ');
+    throw UsageError(line + "; usage: " + usage_line(app));
+}
+
+// A word alone is a FILE; but where there is no such thing and a command is spelt nearly so, that was meant.
+void refuse_misspelt_command(const CLI::App& root, const std::string& file) {
+    std::error_code ignored;
+    if (file.find_first_of("./") != std::string::npos || std::filesystem::exists(file, ignored)) return;
+    const std::vector<std::string> names = command_names(root);
+    if (const auto meant = nearest(file, names))
+        throw UsageError(file + ": no such command or file; did you mean " + *meant + "? The commands are " +
+                         joined(names));
+}
+
+}  // namespace
+
+Command parse_command_line(int argc, const char* const* argv) {
+    CLI::App root{"Shows what a transformation does to a surface's normals.", "normalscope"};
+    root.require_subcommand(0, 1);
+    const Declared view = declare_view(root);
+    const std::vector<Declared> commands{declare_capture(root), declare_scenes(root), declare_compare(root)};
+    const auto chosen = [&]() -> const Declared& {
+        for (const Declared& command : commands)
+            if (command.app->parsed()) return command;
+        return view;
+    };
+
+    try {
+        root.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        return Printed{help_text(*chosen().app)};
+    } catch (const CLI::CallForVersion&) {
+        return Printed{kVersion + "\n"};
+    } catch (const CLI::ParseError& error) {
+        refuse(*chosen().app, error);
+    }
+
+    const Declared& command = chosen();
+    refuse_extras(root);
+    refuse_extras(*command.app);
+    if (command.app != &root)
+        for (const CLI::Option* option : root.get_options())
+            if (option->count() > 0)
+                throw UsageError(option->get_name() + ": belongs after the command, as in " + usage_line(*command.app));
+    Command made = command.make();
+    if (const ViewCommand* v = std::get_if<ViewCommand>(&made); v && v->file) refuse_misspelt_command(root, *v->file);
+    return made;
+}
+
+}  // namespace normalscope

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/scene_json.h"
+
+#include <glm/vec2.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace normalscope {
+
+/// Where an offscreen picture's GL context comes from.
+enum class ContextChoice { Auto, Osmesa, Egl };
+
+/// `normalscope [FILE]`: the window.
+struct ViewCommand {
+    std::optional<std::string> file;    ///< a scene, a mesh, or a built-in scene's name
+    std::vector<std::string> settings;  ///< PATH=VALUE, for with_setting
+};
+
+/// `normalscope capture [FILE] -o OUT.png`
+struct CaptureCommand {
+    std::string file{kDefaultScene};
+    std::filesystem::path output;
+    glm::ivec2 size{1280, 720};
+    int samples = 4;
+    ContextChoice context = ContextChoice::Auto;
+    bool panel = false;
+    std::vector<std::string> settings;
+    std::optional<std::filesystem::path> numbers;
+};
+
+/// `normalscope scenes`
+struct ScenesCommand {};
+
+/// `normalscope compare ACTUAL EXPECTED`
+struct CompareCommand {
+    std::filesystem::path actual, expected;
+    int tolerance = 3;     ///< of 255, in any channel
+    double share = 0.001;  ///< of the pixels may be beyond the tolerance
+    std::optional<std::filesystem::path> diff;
+};
+
+/// Help or the version was asked for: all there is to do is to print it.
+struct Printed {
+    std::string text;
+};
+
+using Command = std::variant<ViewCommand, CaptureCommand, ScenesCommand, CompareCommand, Printed>;
+
+/// Throws UsageError. An output named "-" comes back as /dev/stdout.
+Command parse_command_line(int argc, const char* const* argv);
+
+}  // namespace normalscope

@@ -1,0 +1,75 @@
+#include "cli/values.h"
+
+#include "core/error.h"
+#include "core/image.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace normalscope {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& option, const std::string& text, const std::string& why) {
+    throw UsageError(option + " " + text + ": " + why);
+}
+
+// The whole of the text, or nothing: no sign, no space, nothing after.
+std::optional<std::int64_t> whole_number(std::string_view text) {
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || text.front() == '-') return std::nullopt;
+    return value;
+}
+
+}  // namespace
+
+glm::ivec2 parse_size(const std::string& option, const std::string& text) {
+    const auto x = text.find('x');
+    const auto width = whole_number(std::string_view(text).substr(0, x));
+    const auto height = x == std::string::npos ? std::nullopt : whole_number(std::string_view(text).substr(x + 1));
+    if (!width || !height) fail(option, text, "expected WIDTHxHEIGHT in pixels, such as 1280x720");
+    if (*width < 1 || *height < 1) fail(option, text, "a picture has at least 1 pixel a side");
+    if (*width > kLongestSide || *height > kLongestSide || *width * *height > kMostPixels)
+        fail(option, text,
+             "a picture has at most " + std::to_string(kLongestSide) + " pixels a side and " +
+                 std::to_string(kMostPixels) + " in all");
+    return {static_cast<int>(*width), static_cast<int>(*height)};
+}
+
+int parse_samples(const std::string& option, const std::string& text) {
+    // What every driver can do; OpenGL 3.3 promises no more than 4.
+    for (const int samples : {1, 2, 4})
+        if (text == std::to_string(samples)) return samples;
+    fail(option, text, "expected 1, 2 or 4");
+}
+
+ContextChoice parse_context(const std::string& option, const std::string& text) {
+    using enum ContextChoice;
+    for (const auto& [name, choice] : {std::pair{"auto", Auto}, {"osmesa", Osmesa}, {"egl", Egl}})
+        if (text == name) return choice;
+    fail(option, text, "expected auto, osmesa or egl");
+}
+
+int parse_tolerance(const std::string& option, const std::string& text) {
+    const auto value = whole_number(text);
+    if (!value || *value > 255) fail(option, text, "expected a whole number from 0 to 255");
+    return static_cast<int>(*value);
+}
+
+double parse_share(const std::string& option, const std::string& text) {
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !(value >= 0.0 && value <= 1.0))
+        fail(option, text, "expected a number from 0 to 1, such as 0.001");
+    return value;
+}
+
+std::filesystem::path parse_output(const std::string& option, const std::string& text) {
+    if (text.empty()) throw UsageError(option + ": its file's name is empty; give a name, or - for standard output");
+    return text == "-" ? "/dev/stdout" : text;
+}
+
+}  // namespace normalscope
