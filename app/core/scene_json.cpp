@@ -107,8 +107,8 @@ Json json_of(const StackEntry& e) {
 Json json_of_scene(const Scene& scene) {
     Json root = Json::object();
     root["normalscope"] = 1;
-    const Json keys = json_of<Scene>(scene);  // with a name: items() only refers to it
-    for (const auto& [key, value] : keys.items()) root[key] = value;
+    const Json keys = json_of(scene);
+    root.update(keys);
     return root;
 }
 
