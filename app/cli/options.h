@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/context_choice.h"
 #include "core/scene_json.h"
 
 #include <glm/vec2.hpp>
@@ -11,9 +12,6 @@
 #include <vector>
 
 namespace normalscope {
-
-/// Where an offscreen picture's GL context comes from.
-enum class ContextChoice { Auto, Osmesa, Egl };
 
 /// `normalscope [FILE]`: the window.
 struct ViewCommand {

@@ -2,6 +2,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -25,6 +26,13 @@ struct Image {
 /// Black and transparent.
 inline Image make_image(glm::ivec2 size) {
     return {size, std::vector<std::uint8_t>(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y))};
+}
+
+/// The part of `image` from `origin`, which must lie within.
+inline Image cropped(const Image& image, glm::ivec2 origin, glm::ivec2 size) {
+    Image part = make_image(size);
+    for (int y = 0; y < size.y; ++y) std::copy_n(image.pixel(origin.x, origin.y + y), 4 * size.x, part.pixel(0, y));
+    return part;
 }
 
 // The largest picture that is drawn or read: half a gigabyte of pixels.

@@ -3,8 +3,9 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <unordered_map>
+#include <limits>
 
 namespace normalscope {
 
@@ -21,33 +22,46 @@ glm::dvec3 area_vector(const Mesh& mesh, const glm::uvec3& t) {
     return glm::cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a);
 }
 
-/// A grid of cells one radius wide: whoever is within the radius sits in one of 27 cells.
-class SpatialHash {
+/// Points at least a radius apart, in a hashed grid whose cells are two radii wide: whoever is within the radius of a
+/// place sits in one of the at most eight cells that a ball about it touches.
+class SpacedPoints {
 public:
-    SpatialHash(double cell, std::size_t expected) : cell_(cell) { cells_.reserve(expected); }
+    /// No point may be farther than `kFarthest` radii from the origin along any axis.
+    static constexpr double kFarthest = 1e5;
 
-    bool any_within(const glm::dvec3& p, double radius) const {
-        const glm::ivec3 home = cell_of(p);
-        for (int dz = -1; dz <= 1; ++dz)
-            for (int dy = -1; dy <= 1; ++dy)
-                for (int dx = -1; dx <= 1; ++dx) {
-                    const auto [first, last] = cells_.equal_range(key(home + glm::ivec3(dx, dy, dz)));
-                    for (auto it = first; it != last; ++it)
-                        if (glm::dot(it->second - p, it->second - p) < radius * radius) return true;
-                }
+    SpacedPoints(double radius, std::size_t most) : radius_(radius), heads_(std::bit_ceil(4 * most + 1), kNone) {
+        points_.reserve(most);
+        next_.reserve(most);
+    }
+    bool any_within_radius(const glm::dvec3& p) const {
+        const glm::ivec3 low = cell(p - radius_), high = cell(p + radius_);
+        for (int z = low.z; z <= high.z; ++z)
+            for (int y = low.y; y <= high.y; ++y)
+                for (int x = low.x; x <= high.x; ++x)
+                    // Points of other cells in the same slot do no harm: the distance decides.
+                    for (std::uint32_t i = heads_[slot({x, y, z})]; i != kNone; i = next_[i])
+                        if (glm::dot(points_[i] - p, points_[i] - p) < radius_ * radius_) return true;
         return false;
     }
-    void add(const glm::dvec3& p) { cells_.emplace(key(cell_of(p)), p); }
-
-private:
-    glm::ivec3 cell_of(const glm::dvec3& p) const { return glm::ivec3(glm::floor(p / cell_)); }
-    static std::uint64_t key(const glm::ivec3& c) {
-        const auto bits = [](int v) { return static_cast<std::uint64_t>(v) & 0x1FFFFFu; };
-        return bits(c.x) | bits(c.y) << 21 | bits(c.z) << 42;
+    void add(const glm::dvec3& p) {
+        std::uint32_t& head = heads_[slot(cell(p))];
+        next_.push_back(head);
+        head = static_cast<std::uint32_t>(points_.size());
+        points_.push_back(p);
     }
 
-    double cell_;
-    std::unordered_multimap<std::uint64_t, glm::dvec3> cells_;
+private:
+    static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+    // Truncation is floor for what is positive, and much faster.
+    glm::ivec3 cell(const glm::dvec3& p) const { return glm::ivec3(p / (2.0 * radius_) + kFarthest); }
+    std::size_t slot(const glm::ivec3& c) const {  // Teschner et al., "Optimized spatial hashing", 2003
+        const glm::uvec3 u(c);
+        return (u.x * 73856093u ^ u.y * 19349663u ^ u.z * 83492791u) & (heads_.size() - 1);
+    }
+
+    double radius_;
+    std::vector<std::uint32_t> heads_, next_;
+    std::vector<glm::dvec3> points_;
 };
 
 }  // namespace
@@ -67,25 +81,22 @@ std::vector<glm::dvec3> area_weighted_normals(const std::vector<glm::dvec3>& pos
 }
 
 std::vector<Site> face_sites(const Mesh& mesh) {
-    struct Sum {
-        glm::dvec3 weighted_centre{0.0}, area_vector{0.0};
-        double area = 0.0;
-    };
-    std::vector<Sum> sums(mesh.face_count());
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const glm::uvec3& t = mesh.triangles[i];
-        Sum& sum = sums[mesh.face_of_triangle.empty() ? i : mesh.face_of_triangle[i]];
-        const glm::dvec3 twice_area = area_vector(mesh, t);
-        const double area = glm::length(twice_area);
-        sum.area += area;
-        sum.area_vector += twice_area;
-        sum.weighted_centre += area / 3.0 * (mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]);
-    }
     std::vector<Site> sites;
-    sites.reserve(sums.size());
-    for (const Sum& sum : sums) {
-        const glm::dvec3 normal = unit_or_zero(sum.area_vector);
-        if (normal != glm::dvec3(0.0)) sites.push_back({{sum.weighted_centre / sum.area}, {normal}});
+    sites.reserve(mesh.face_count());
+    const auto face_of = [&](std::size_t i) { return mesh.face_of_triangle.empty() ? i : std::size_t{mesh.face_of_triangle[i]}; };
+    for (std::size_t i = 0; i < mesh.triangles.size();) {
+        glm::dvec3 weighted_centre(0.0), normal(0.0);
+        double area = 0.0;
+        for (const std::size_t face = face_of(i); i < mesh.triangles.size() && face_of(i) == face; ++i) {
+            const glm::uvec3& t = mesh.triangles[i];
+            const glm::dvec3 twice_area = area_vector(mesh, t);
+            const double weight = glm::length(twice_area);
+            area += weight;
+            normal += twice_area;
+            weighted_centre += weight / 3.0 * (mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]);
+        }
+        normal = unit_or_zero(normal);
+        if (normal != glm::dvec3(0.0)) sites.push_back({{weighted_centre / area}, {normal}});
     }
     return sites;
 }
@@ -107,20 +118,23 @@ std::vector<Site> thinned(std::vector<Site> sites, std::size_t every, std::size_
     if (sites.size() <= limit) return sites;
     if (limit == 0 || !(surface_area > 0.0)) return {};
 
+    double farthest = 0.0;
+    for (const Site& site : sites) {
+        const glm::dvec3 size = glm::abs(site.point.xyz);
+        farthest = std::max({farthest, size.x, size.y, size.z});
+    }
     // A maximal set of points at least r apart covers each about 0.7 r² of the surface; grow r until it fits.
-    for (double radius = std::sqrt(surface_area / (0.95 * static_cast<double>(limit)));; radius *= 1.04) {
-        SpatialHash taken(radius, limit);
+    double radius = std::sqrt(surface_area / (0.95 * static_cast<double>(limit)));
+    for (radius = std::max(radius, 1.001 * farthest / SpacedPoints::kFarthest);; radius *= 1.04) {
+        SpacedPoints taken(radius, limit + 1);
         std::vector<Site> result;
         for (const Site& site : sites) {
-            if (taken.any_within(site.point.xyz, 0.999 * radius)) continue;
-            if (result.size() == limit) {
-                result.clear();
-                break;
-            }
-            taken.add(site.point.xyz);
+            if (taken.any_within_radius(site.point.xyz)) continue;
             result.push_back(site);
+            if (result.size() > limit) break;
+            taken.add(site.point.xyz);
         }
-        if (!result.empty()) return result;
+        if (result.size() <= limit) return result;
     }
 }
 

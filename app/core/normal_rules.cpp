@@ -108,16 +108,18 @@ std::optional<glm::dmat3> NormalMatrices::by(Rule rule) const {
     return std::nullopt;
 }
 
-NormalMatrices normal_matrices(const glm::dmat3& m3) {
+NormalMatrices normal_matrices(const glm::dmat3& m3, int rank_at_most) {
     NormalMatrices result;
     result.naive = m3;
     // The columns of the cofactor matrix are the cross products of the columns of M3: a surface element a × b goes to
     // (M3 a) × (M3 b) = cof(M3)(a × b). No inverse and no division is involved.
     result.cofactor = glm::dmat3(glm::cross(m3[1], m3[2]), glm::cross(m3[2], m3[0]), glm::cross(m3[0], m3[1]));
     result.sigma = singular_values(m3).sigma;
-    const double smallest = 4.0 * std::numeric_limits<double>::epsilon() * result.sigma.x;
+    // Below 1e-90 the determinant, and at last the cofactors, would underflow: such a matrix counts as zero.
+    const double smallest = std::max(4.0 * std::numeric_limits<double>::epsilon() * result.sigma.x, 1e-90);
     result.rank = 0;
-    for (int i = 0; i < 3; ++i) result.rank += result.sigma[i] > smallest ? 1 : 0;
+    while (result.rank < rank_at_most && result.sigma[result.rank] > smallest) ++result.rank;
+    for (int i = result.rank; i < 3; ++i) result.sigma[i] = 0.0;
     result.determinant = result.rank == 3 ? glm::dot(m3[0], result.cofactor[0]) : 0.0;
     if (result.rank < 2) result.cofactor = glm::dmat3(0.0);
     if (result.rank == 3) result.inverse_transpose = result.cofactor / result.determinant;

@@ -36,7 +36,7 @@ struct NormalMatrices {
     glm::dmat3 cofactor{1.0};                      ///< cof(M3) = det(M3) (M3⁻¹)ᵀ; exists always, zero where rank < 2
     double determinant = 1.0;                      ///< det(M3), exactly 0 where rank < 3
     int rank = 3;                                  ///< numerical rank: singular values above 4ε σmax
-    glm::dvec3 sigma{1.0};                         ///< singular values of M3, descending
+    glm::dvec3 sigma{1.0};                         ///< singular values of M3, descending; exactly 0 beyond the rank
     /// σmax/σmin; empty where M3 has no inverse.
     std::optional<double> condition() const;
     /// The largest angle in degrees that any normal's naive image can be off: atan k − atan 1/k with k = σmax/σmin.
@@ -47,7 +47,9 @@ struct NormalMatrices {
     std::optional<glm::dmat3> by(Rule rule) const;
 };
 
-NormalMatrices normal_matrices(const glm::dmat3& m3);
+/// `rank_at_most`: what is known from elsewhere, as of a product one of whose factors is singular. Rounding may leave
+/// such a product with a tiny third singular value, and its inverse would be noise.
+NormalMatrices normal_matrices(const glm::dmat3& m3, int rank_at_most = 3);
 
 /// The angle between two directions in degrees, 0 to 180, accurate at both ends; empty if either is zero.
 std::optional<double> angle_degrees(const glm::dvec3& a, const glm::dvec3& b);

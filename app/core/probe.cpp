@@ -75,6 +75,9 @@ std::optional<SurfaceHit> first_hit(const Mesh& mesh, const Transform<World, Obj
     std::vector<glm::dvec3> world(mesh.positions.size());
     for (std::size_t i = 0; i < world.size(); ++i) world[i] = worldFromObject(Point<Object>{mesh.positions[i]}).xyz;
 
+    // The middle of the picture often looks at an edge or a corner; rounding must not let the ray slip between the
+    // triangles there and find the object's far side.
+    constexpr double kSlack = 1e-9;
     double nearest = std::numeric_limits<double>::infinity();
     const glm::uvec3* triangle = nullptr;
     glm::dvec3 barycentric(0.0);
@@ -85,18 +88,19 @@ std::optional<SurfaceHit> first_hit(const Mesh& mesh, const Transform<World, Obj
         if (determinant == 0.0) continue;
         const glm::dvec3 s = ray.origin.xyz - world[t.x];
         const double u = glm::dot(s, p) / determinant;
-        if (!(u >= 0.0 && u <= 1.0)) continue;
+        if (!(u >= -kSlack && u <= 1.0 + kSlack)) continue;
         const glm::dvec3 q = glm::cross(s, ab);
         const double v = glm::dot(ray.direction.xyz, q) / determinant;
-        if (!(v >= 0.0 && u + v <= 1.0)) continue;
+        if (!(v >= -kSlack && u + v <= 1.0 + kSlack)) continue;
         const double distance = glm::dot(ac, q) / determinant;
         if (distance > 0.0 && distance < nearest) {
             nearest = distance;
             triangle = &t;
-            barycentric = {1.0 - u - v, u, v};
+            barycentric = glm::max(glm::dvec3(1.0 - u - v, u, v), 0.0);
         }
     }
     if (!triangle) return std::nullopt;
+    barycentric /= barycentric.x + barycentric.y + barycentric.z;
     return SurfaceHit{probe_at(mesh, *triangle, barycentric), nearest};
 }
 

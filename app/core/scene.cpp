@@ -28,7 +28,9 @@ Transform<World, Object> world_from_object(const Scene& scene) {
             if (!(std::abs(m[c][r]) < 1e60))
                 throw InputError("stack: the product of its " + std::to_string(scene.stack.size()) +
                                  " entries is too large for a number; use smaller scales or fewer entries");
-    return Transform<World, Object>(m);
+    int rank = 3;  // a product has at most the rank of each factor
+    for (const StackEntry& entry : scene.stack) rank = std::min(rank, normal_matrices(glm::dmat3(matrix(entry))).rank);
+    return Transform<World, Object>(m, rank);
 }
 
 }  // namespace normalscope

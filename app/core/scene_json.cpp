@@ -107,7 +107,8 @@ Json json_of(const StackEntry& e) {
 Json json_of_scene(const Scene& scene) {
     Json root = Json::object();
     root["normalscope"] = 1;
-    for (auto& [key, value] : json_of<Scene>(scene).items()) root[key] = value;
+    const Json keys = json_of(scene);
+    root.update(keys);
     return root;
 }
 
@@ -287,15 +288,35 @@ std::string reason(const std::exception& e) {
     return text;
 }
 
+// A scene is at most seven levels deep; much deeper JSON would overflow the stack of whoever writes it into an error.
+constexpr int kDeepest = 32;
+
+bool not_too_deep(int depth, Json::parse_event_t, Json&) {
+    if (depth > kDeepest) throw InputError("nested more than " + std::to_string(kDeepest) + " levels deep, which no scene is");
+    return true;
+}
+
 Json parsed(std::string_view text, const std::string& prefix) {
     try {
-        return Json::parse(text);
+        return Json::parse(text, not_too_deep);
+    } catch (const InputError& e) {
+        throw InputError(prefix + e.what());
     } catch (const Json::exception& e) {
         throw InputError(prefix + "not valid JSON: " + reason(e));
     }
 }
 
 // ---- --set ---------------------------------------------------------------------------------------------------
+
+// What is no JSON is a bare word, and so a string.
+Json setting_value(const std::string& text, const std::string& path) {
+    try {
+        const Json value = Json::parse(text, not_too_deep, false);
+        return value.is_discarded() ? Json(text) : value;
+    } catch (const InputError& e) {
+        throw InputError("--set " + path + ": " + e.what());
+    }
+}
 
 Json& element(Json& array, const std::string& path, const std::string& key) {
     const bool digits = !key.empty() && key.size() < 7 && std::ranges::all_of(key, [](char c) { return c >= '0' && c <= '9'; });
@@ -337,8 +358,7 @@ Scene with_setting(const Scene& scene, std::string_view assignment) {
     if (equals == std::string_view::npos || equals == 0)
         throw UsageError("--set " + whole + ": expected PATH=VALUE, such as stack.0.scale=[1,2,1] or rule=naive");
     const std::string value_text(assignment.substr(equals + 1));
-    Json value = Json::parse(value_text, nullptr, false);
-    if (value.is_discarded()) value = value_text;  // a bare word
+    Json value = setting_value(value_text, whole.substr(0, equals));
 
     std::vector<std::string> keys{""};
     for (const char c : assignment.substr(0, equals))

@@ -89,13 +89,19 @@ Mesh sphere(int resolution) {
         if (added) vertices.push_back({std::gcd(std::gcd(i, j), f), p});
         return it->second;
     };
-    for (const glm::ivec3& face : kFaces)
-        for (int j = 0; j < f; ++j)
-            for (int i = 0; i < f - j; ++i) {
-                const glm::uvec3 up(vertex(face, i, j), vertex(face, i + 1, j), vertex(face, i, j + 1));
-                triangles.push_back(up);
-                if (i + j + 1 < f) triangles.push_back({up.y, vertex(face, i + 1, j + 1), up.z});
+    for (const glm::ivec3& face : kFaces) {
+        std::vector<std::uint32_t> below, row;  // the lattice's rows j and j + 1
+        for (int i = 0; i <= f; ++i) below.push_back(vertex(face, i, 0));
+        for (int j = 0; j < f; ++j) {
+            row.clear();
+            for (int i = 0; i < f - j; ++i) row.push_back(vertex(face, i, j + 1));
+            for (std::size_t i = 0; i < row.size(); ++i) {
+                triangles.push_back({below[i], below[i + 1], row[i]});
+                if (i + 1 < row.size()) triangles.push_back({below[i + 1], row[i + 1], row[i]});
             }
+            std::swap(below, row);
+        }
+    }
 
     std::vector<std::uint32_t> order(vertices.size()), place(vertices.size());
     std::iota(order.begin(), order.end(), 0u);

@@ -4,8 +4,11 @@
 #include "core/shapes.h"
 
 #include <glm/common.hpp>
+#include <glm/trigonometric.hpp>
 
+#include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace normalscope {
 
@@ -15,18 +18,21 @@ std::shared_ptr<const Surface> SurfaceCache::get(const Scene& scene) {
     const auto placement = [](const Arrows& a) { return std::tuple(a.at, a.every, a.limit); };
     if (surface_ && surface_source_ == scene.surface && placement(surface_arrows_) == placement(scene.arrows)) return surface_;
 
-    if (!same_mesh) {
-        const ShapeSurface* shape = std::get_if<ShapeSurface>(&scene.surface);
-        mesh_ = std::make_shared<const Mesh>(shape ? make_shape(*shape) : load_mesh(std::get<MeshSurface>(scene.surface).mesh));
-        mesh_source_ = scene.surface;
-    }
     const bool faces = scene.arrows.at == ArrowPlacement::Faces;
     auto surface = std::make_shared<Surface>();
+    if (!same_mesh) {
+        const ShapeSurface* shape = std::get_if<ShapeSurface>(&scene.surface);
+        surface->mesh = shape ? make_shape(*shape) : load_mesh(std::get<MeshSurface>(scene.surface).mesh);
+        // A mesh that is drawn as it is need not be kept twice: it takes time and memory to copy a million triangles.
+        mesh_ = faces ? std::make_shared<const Mesh>(std::move(surface->mesh)) : std::shared_ptr<const Mesh>(surface, &surface->mesh);
+        mesh_source_ = scene.surface;
+    }
     surface->area = surface_area(*mesh_);
     for (const glm::dvec3& p : mesh_->positions) surface->extent = glm::max(surface->extent, glm::abs(p));
     surface->arrows = thinned(faces ? face_sites(*mesh_) : vertex_sites(*mesh_), static_cast<std::size_t>(scene.arrows.every),
                               static_cast<std::size_t>(scene.arrows.limit), surface->area);
-    surface->mesh = faces ? flat_shaded(*mesh_) : *mesh_;
+    if (faces) surface->mesh = flat_shaded(*mesh_);
+    else if (same_mesh) surface->mesh = *mesh_;
     surface_ = std::move(surface);
     surface_source_ = scene.surface;
     surface_arrows_ = scene.arrows;
@@ -67,20 +73,27 @@ std::optional<double> error_degrees(const NormalMatrices& matrices, Normal<Objec
 
 std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMatrices& matrices) {
     if (!matrices.inverse_transpose) return std::nullopt;
-    ErrorStatistics statistics;
-    double sum = 0.0;
-    std::size_t count = 0;
+    const glm::dmat3 &naive = matrices.naive, &inverse_transpose = *matrices.inverse_transpose;
+    double sum = 0.0, worst_tangent2 = -1.0;
+    std::size_t count = 0, worst = 0;
     for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-        const std::optional<double> error = error_degrees(matrices, {mesh.normals[i]});
-        if (!error) continue;
-        sum += *error;
-        if (count++ == 0 || *error > statistics.worst_degrees) {
-            statistics.worst_degrees = *error;
-            statistics.at = {mesh.positions[i]};
+        const glm::dvec3& n = mesh.normals[i];
+        if (n == glm::dvec3(0.0)) continue;
+        // The tangent of the angle between the two images: their cross product by their dot product, which is n·n.
+        const glm::dvec3 cross = glm::cross(naive * n, inverse_transpose * n);
+        const double tangent2 = glm::dot(cross, cross) / (glm::dot(n, n) * glm::dot(n, n));
+        sum += std::atan(std::sqrt(tangent2));
+        ++count;
+        if (tangent2 > worst_tangent2) {
+            worst_tangent2 = tangent2;
+            worst = i;
         }
     }
     if (count == 0) return std::nullopt;
-    statistics.mean_degrees = sum / static_cast<double>(count);
+    ErrorStatistics statistics;
+    statistics.worst_degrees = error_degrees(matrices, {mesh.normals[worst]}).value_or(0.0);
+    statistics.mean_degrees = glm::degrees(sum / static_cast<double>(count));
+    statistics.at = {mesh.positions[worst]};
     return statistics;
 }
 

@@ -5,6 +5,7 @@
 
 #include <glm/mat4x4.hpp>
 
+#include <algorithm>
 #include <optional>
 
 namespace normalscope {
@@ -15,8 +16,9 @@ template <class To, class From>
 class Transform {
 public:
     Transform() = default;
-    explicit Transform(const glm::dmat4& toFromFrom)
-        : matrix_(toFromFrom), normals_(normal_matrices(glm::dmat3(toFromFrom))) {}
+    /// `rank_at_most` as in normal_matrices.
+    explicit Transform(const glm::dmat4& toFromFrom, int rank_at_most = 3)
+        : matrix_(toFromFrom), normals_(normal_matrices(glm::dmat3(toFromFrom), rank_at_most)) {}
 
     /// M p, with w = 1, divided by the resulting w where M is not affine.
     Point<To> operator()(Point<From> p) const {
@@ -48,7 +50,8 @@ private:
 /// First `inner`, then `outer`: the spaces in the middle must agree.
 template <class To, class Mid, class From>
 Transform<To, From> operator*(const Transform<To, Mid>& outer, const Transform<Mid, From>& inner) {
-    return Transform<To, From>(outer.matrix() * inner.matrix());
+    return Transform<To, From>(outer.matrix() * inner.matrix(),
+                               std::min(outer.normal_matrices_by_rule().rank, inner.normal_matrices_by_rule().rank));
 }
 
 /// The naive rule M3 n, which treats a normal as a vector. Right for rigid maps only; here to be looked at.
