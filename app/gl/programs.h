@@ -1,0 +1,48 @@
+#pragma once
+
+// One class a GL program: its shader files and its uniforms, by their names there.
+
+#include "gl/program.h"
+
+namespace normalscope {
+
+struct BackdropProgram : Program {
+    BackdropProgram() : Program("backdrop.vert", "backdrop.frag") {}
+
+    Slot<glm::mat4> world_from_clip{*this, "world_from_clip"};
+    Slot<glm::vec3> eye{*this, "eye"};
+    Slot<glm::vec3> top_color{*this, "top_color"};
+    Slot<glm::vec3> bottom_color{*this, "bottom_color"};
+    Slot<glm::vec3> grid_color{*this, "grid_color"};
+    Slot<float> ground{*this, "ground"};
+    Slot<float> grid_amount{*this, "grid_amount"};
+    Slot<glm::mat3> shadow{*this, "shadow"};
+};
+
+/// Everything solid: the mesh, its arrows, and what is made anew every frame.
+struct SceneProgram : Program {
+    explicit SceneProgram(std::string_view define = {}) : Program("scene.vert", "scene.frag", define) {}
+
+    Slot<glm::mat4> clip_from_world{*this, "clip_from_world"};
+    Slot<glm::mat4> world_from_object{*this, "world_from_object"};
+    Slot<glm::mat3> normal_matrix{*this, "normal_matrix"};
+    Slot<float> arrow_length{*this, "arrow_length"};
+    Slot<float> shaft_radius{*this, "shaft_radius"};
+    Slot<float> head_length{*this, "head_length"};
+    Slot<glm::vec3> toward_light{*this, "toward_light"};
+    Slot<glm::vec3> eye{*this, "eye"};
+    Slot<float> outside{*this, "outside"};
+    Slot<glm::vec3> inside_color{*this, "inside_color"};
+    Slot<float> ghost{*this, "ghost"};
+};
+
+/// The mesh, coloured by the naive rule's error.
+struct ErrorMapProgram : SceneProgram {
+    ErrorMapProgram() : SceneProgram("ERROR_MAP") {}
+
+    Slot<glm::mat3> naive_matrix{*this, "naive_matrix"};
+    Slot<glm::mat3> inverse_transpose_matrix{*this, "inverse_transpose_matrix"};
+    Slot<std::span<const glm::vec3>> ramp{*this, "ramp"};
+};
+
+}  // namespace normalscope

@@ -1,0 +1,82 @@
+#include "gl/target.h"
+
+#include "core/error.h"
+
+#include <algorithm>
+#include <string>
+
+namespace normalscope {
+
+namespace {
+
+void check_complete(glm::ivec2 size, int samples) {
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && glGetError() == GL_NO_ERROR) return;
+    throw ContextError("this driver cannot draw " + std::to_string(size.x) + "x" + std::to_string(size.y) + " pixels with " +
+                       std::to_string(samples) + " samples; use a smaller size or fewer samples");
+}
+
+int supported(int samples) {
+    GLint most = 1;
+    glGetIntegerv(GL_MAX_SAMPLES, &most);
+    return std::clamp(samples, 1, std::max<int>(most, 1));
+}
+
+}  // namespace
+
+Target::Target(glm::ivec2 size, int samples) : size_(size), samples_(supported(samples)) {
+    GLint largest = 0;
+    glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
+    if (size.x > largest || size.y > largest)
+        throw ContextError("this driver draws at most " + std::to_string(largest) + " pixels a side; use a smaller size");
+
+    const auto storage = [&](const GlRenderbuffer& buffer, GLenum format, int count) {
+        glBindRenderbuffer(GL_RENDERBUFFER, buffer.id());
+        glRenderbufferStorageMultisample(GL_RENDERBUFFER, count > 1 ? count : 0, format, size.x, size.y);
+    };
+    const auto attach = [](const GlFramebuffer& framebuffer, const GlRenderbuffer& color, const GlRenderbuffer* depth) {
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color.id());
+        if (depth) glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth->id());
+    };
+    storage(depth_, GL_DEPTH_COMPONENT24, samples_);
+    storage(resolved_color_, GL_RGBA8, 1);
+    if (samples_ > 1) {
+        storage(color_, GL_RGBA8, samples_);
+        attach(framebuffer_, color_, &depth_);
+        check_complete(size, samples_);
+    }
+    attach(resolved_, resolved_color_, samples_ > 1 ? nullptr : &depth_);
+    check_complete(size, samples_);
+}
+
+void Target::bind() const { glBindFramebuffer(GL_FRAMEBUFFER, samples_ > 1 ? framebuffer_.id() : resolved_.id()); }
+
+void Target::resolve() const {
+    if (samples_ > 1) {
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
+        glBlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
+}
+
+void Target::show() const {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+Image Target::read() const {
+    Image image{size_, std::vector<std::uint8_t>(4 * static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y))};
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+    // GL's first row is the lowest.
+    const auto row = 4 * static_cast<std::ptrdiff_t>(size_.x);
+    for (std::ptrdiff_t top = 0, bottom = size_.y - 1; top < bottom; ++top, --bottom)
+        std::swap_ranges(image.rgba.begin() + top * row, image.rgba.begin() + (top + 1) * row, image.rgba.begin() + bottom * row);
+    return image;
+}
+
+}  // namespace normalscope

@@ -1,0 +1,131 @@
+#include "gl/vertex_data.h"
+
+#include <glm/gtc/constants.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace normalscope {
+
+namespace {
+
+constexpr GLuint kPosition = 0, kNormal = 1, kTint = 2, kSitePoint = 3, kSiteNormal = 4;  // scene.vert
+
+void bind_and_fill(const GlBuffer& buffer, GLenum kind, std::size_t bytes, const void* data, GLenum usage = GL_STATIC_DRAW) {
+    glBindBuffer(kind, buffer.id());
+    glBufferData(kind, static_cast<GLsizeiptr>(bytes), data, usage);
+}
+
+void attribute(GLuint index, GLint components, std::size_t stride, std::size_t offset, GLuint divisor = 0) {
+    glEnableVertexAttribArray(index);
+    glVertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), reinterpret_cast<const void*>(offset));
+    glVertexAttribDivisor(index, divisor);
+}
+
+/// What the GPU holds of a mesh's vertex, a site or an arrow's corner.
+struct PointAndNormal {
+    glm::vec3 point, normal;
+};
+
+// The fewer arrows, the rounder each: their triangles are what a frame costs on a processor.
+std::vector<PointAndNormal> arrow_shape(int sides) {
+    // Where a ring of the arrow lies, how wide it is, and how its normals face.
+    struct Ring {
+        float along, radius, outward, axial;
+    };
+    constexpr float kSlant = ArrowProportions::kHeadRadius / ArrowProportions::kHeadLength;
+    constexpr std::array<std::array<Ring, 2>, 3> kBands{{
+        {{{0.0f, 1.0f, 1.0f, 0.0f}, {1.0f, 1.0f, 1.0f, 0.0f}}},                                                            // shaft
+        {{{1.0f, ArrowProportions::kHeadRadius, 0.0f, -1.0f}, {1.0f, 0.0f, 0.0f, -1.0f}}},                                 // under the head
+        {{{1.0f, ArrowProportions::kHeadRadius, 1.0f, kSlant}, {2.0f, 0.0f, 1.0f, kSlant}}},                               // head
+    }};
+    std::vector<PointAndNormal> corners;
+    for (const auto& [from, to] : kBands) {
+        for (int i = 0; i < sides; ++i) {
+            const auto corner = [&](const Ring& ring, int side) {
+                const float a = glm::two_pi<float>() * static_cast<float>(side % sides) / static_cast<float>(sides);
+                const glm::vec2 out(std::cos(a), std::sin(a));
+                return PointAndNormal{{ring.radius * out, ring.along}, {ring.outward * out, ring.axial}};
+            };
+            const std::array quad{corner(from, i), corner(from, i + 1), corner(to, i + 1), corner(to, i)};
+            // A ring without radius closes the band to a point: one triangle of each quad is enough.
+            const bool downward = from.axial < 0.0f;
+            const auto add = [&](int a, int b, int c) {
+                for (const int k : {a, downward ? c : b, downward ? b : c}) corners.push_back(quad[static_cast<std::size_t>(k)]);
+            };
+            add(0, 1, 2);
+            if (to.radius > 0.0f) add(0, 2, 3);
+        }
+    }
+    return corners;
+}
+
+}  // namespace
+
+void set_tint(const glm::vec4& color) { glVertexAttrib4f(kTint, color.r, color.g, color.b, color.a); }
+
+BackdropVertices::BackdropVertices() {
+    constexpr std::array kCorners{-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
+    glBindVertexArray(array_.id());
+    bind_and_fill(corners_, GL_ARRAY_BUFFER, sizeof kCorners, kCorners.data());
+    attribute(0, 2, 2 * sizeof(float), 0);
+}
+
+void BackdropVertices::draw() const {
+    glBindVertexArray(array_.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+MeshVertices::MeshVertices(const Mesh& mesh) : index_count_(static_cast<GLsizei>(3 * mesh.triangles.size())) {
+    std::vector<PointAndNormal> vertices(mesh.positions.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = {mesh.positions[i], mesh.normals[i]};
+    glBindVertexArray(array_.id());
+    bind_and_fill(vertices_, GL_ARRAY_BUFFER, vertices.size() * sizeof(PointAndNormal), vertices.data());
+    attribute(kPosition, 3, sizeof(PointAndNormal), offsetof(PointAndNormal, point));
+    attribute(kNormal, 3, sizeof(PointAndNormal), offsetof(PointAndNormal, normal));
+    bind_and_fill(indices_, GL_ELEMENT_ARRAY_BUFFER, mesh.triangles.size() * sizeof(glm::uvec3), mesh.triangles.data());
+}
+
+void MeshVertices::draw() const {
+    glBindVertexArray(array_.id());
+    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+}
+
+ArrowVertices::ArrowVertices(std::span<const Site> sites) : site_count_(static_cast<GLsizei>(sites.size())) {
+    const std::vector<PointAndNormal> shape = arrow_shape(sites.size() > 400 ? 6 : 10);
+    shape_count_ = static_cast<GLsizei>(shape.size());
+    std::vector<PointAndNormal> instances(sites.size());
+    for (std::size_t i = 0; i < instances.size(); ++i) instances[i] = {sites[i].point.xyz, sites[i].normal.xyz};
+    glBindVertexArray(array_.id());
+    bind_and_fill(shape_, GL_ARRAY_BUFFER, shape.size() * sizeof(PointAndNormal), shape.data());
+    attribute(kPosition, 3, sizeof(PointAndNormal), offsetof(PointAndNormal, point));
+    attribute(kNormal, 3, sizeof(PointAndNormal), offsetof(PointAndNormal, normal));
+    bind_and_fill(sites_, GL_ARRAY_BUFFER, instances.size() * sizeof(PointAndNormal), instances.data());
+    attribute(kSitePoint, 3, sizeof(PointAndNormal), offsetof(PointAndNormal, point), 1);
+    attribute(kSiteNormal, 3, sizeof(PointAndNormal), offsetof(PointAndNormal, normal), 1);
+}
+
+void ArrowVertices::draw() const {
+    if (site_count_ == 0) return;
+    glBindVertexArray(array_.id());
+    glDrawArraysInstanced(GL_TRIANGLES, 0, shape_count_, site_count_);
+}
+
+SolidVertices::SolidVertices() {
+    glBindVertexArray(array_.id());
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+    attribute(kPosition, 3, sizeof(SolidVertex), offsetof(SolidVertex, position));
+    attribute(kNormal, 3, sizeof(SolidVertex), offsetof(SolidVertex, normal));
+    attribute(kTint, 4, sizeof(SolidVertex), offsetof(SolidVertex, color));
+}
+
+void SolidVertices::draw(const Solids& solids) {
+    if (solids.empty()) return;
+    glBindVertexArray(array_.id());
+    bind_and_fill(vertices_, GL_ARRAY_BUFFER, solids.size() * sizeof(SolidVertex), solids.data(), GL_STREAM_DRAW);
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(solids.size()));
+}
+
+}  // namespace normalscope

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "core/mesh.h"
+#include "core/solids.h"
+#include "gl/objects.h"
+
+#include <cstddef>
+#include <span>
+
+namespace normalscope {
+
+// Vertex arrays and the buffers behind them; the attribute numbers are those in the shaders.
+
+/// The colour (sRGB) of vertices that have none of their own.
+void set_tint(const glm::vec4& color);
+
+/// A triangle over the whole pane.
+class BackdropVertices {
+public:
+    BackdropVertices();
+    void draw() const;
+
+private:
+    GlVertexArray array_;
+    GlBuffer corners_;
+};
+
+/// A mesh that stays on the GPU.
+class MeshVertices {
+public:
+    explicit MeshVertices(const Mesh& mesh);
+    void draw() const;
+
+private:
+    GlVertexArray array_;
+    GlBuffer vertices_, indices_;
+    GLsizei index_count_ = 0;
+};
+
+/// One arrow's shape, drawn at every site.
+class ArrowVertices {
+public:
+    explicit ArrowVertices(std::span<const Site> sites);
+    void draw() const;
+
+private:
+    GlVertexArray array_;
+    GlBuffer shape_, sites_;
+    GLsizei shape_count_ = 0, site_count_ = 0;
+};
+
+/// Triangles that change every frame.
+class SolidVertices {
+public:
+    SolidVertices();
+    void draw(const Solids& solids);
+
+private:
+    GlVertexArray array_;
+    GlBuffer vertices_;
+};
+
+}  // namespace normalscope

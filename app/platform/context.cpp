@@ -1,0 +1,34 @@
+#include "platform/context.h"
+
+#include "core/error.h"
+#include "platform/egl_context.h"
+#include "platform/osmesa_context.h"
+
+#include <string>
+
+namespace normalscope {
+
+std::unique_ptr<Context> make_offscreen_context(ContextChoice kind) {
+
+    if (kind == ContextChoice::Egl) {
+        try {
+            return make_egl_context();
+        } catch (const ContextError& e) {
+            throw ContextError("no EGL context: " + std::string(e.what()) + "; install libegl1 with libgl1-mesa-dri, or use --context osmesa");
+        }
+    }
+    try {
+        return make_osmesa_context();
+    } catch (const ContextError& osmesa) {
+        if (kind == ContextChoice::Osmesa)
+            throw ContextError("no OSMesa context: " + std::string(osmesa.what()) + "; install libosmesa6, or use --context egl");
+        try {
+            return make_egl_context();
+        } catch (const ContextError& egl) {
+            throw ContextError("no graphics context: OSMesa: " + std::string(osmesa.what()) + "; EGL: " + egl.what() +
+                               "; install libosmesa6, or libegl1 with libgl1-mesa-dri");
+        }
+    }
+}
+
+}  // namespace normalscope

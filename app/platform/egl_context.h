@@ -1,0 +1,10 @@
+#pragma once
+
+#include "platform/context.h"
+
+namespace normalscope {
+
+/// EGL without a surface: a graphics card where there is one, or else Mesa on the processor. Throws ContextError.
+std::unique_ptr<Context> make_egl_context();
+
+}  // namespace normalscope

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "platform/context.h"
+
+namespace normalscope {
+
+/// Mesa's off-screen interface: draws on the processor, without a display or a driver. Throws ContextError.
+std::unique_ptr<Context> make_osmesa_context();
+
+}  // namespace normalscope

@@ -1,0 +1,121 @@
+#include "platform/window.h"
+
+#include "core/error.h"
+
+#include <glad/gl.h>
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <span>
+#include <string>
+
+namespace normalscope {
+
+namespace {
+
+std::string last_error() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text ? text : "GLFW gives no reason";
+}
+
+// The monitor that most of the window lies on.
+GLFWmonitor* monitor_of(const WindowPlace& place) {
+    int count = 0;
+    GLFWmonitor** const list = glfwGetMonitors(&count);
+    GLFWmonitor* best = glfwGetPrimaryMonitor();
+    int best_area = 0;
+    for (GLFWmonitor* monitor : std::span(list, static_cast<std::size_t>(count))) {
+        glm::ivec2 origin;
+        glfwGetMonitorPos(monitor, &origin.x, &origin.y);
+        const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+        if (!mode || !place.position) continue;
+        const int w = std::min(place.position->x + place.size.x, origin.x + mode->width) - std::max(place.position->x, origin.x);
+        const int h = std::min(place.position->y + place.size.y, origin.y + mode->height) - std::max(place.position->y, origin.y);
+        if (w <= 0 || h <= 0 || w * h <= best_area) continue;
+        best_area = w * h;
+        best = monitor;
+    }
+    return best;
+}
+
+}  // namespace
+
+Window::Window(const char* title, const WindowPlace& place) {
+    if (!glfwInit())
+        throw ContextError("no window: " + last_error() + "; without a display use: normalscope capture -o OUT.png");
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the renderer has its own framebuffer
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "normalscope");
+    window_ = glfwCreateWindow(place.size.x, place.size.y, title, nullptr, nullptr);
+    if (!window_) {
+        const std::string reason = last_error();
+        glfwTerminate();
+        throw ContextError("no window: " + reason + "; an OpenGL 3.3 driver is needed");
+    }
+    if (place.position) glfwSetWindowPos(window_, place.position->x, place.position->y);
+    glfwSetWindowSizeLimits(window_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwShowWindow(window_);
+}
+
+Window::~Window() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+void Window::make_current() {
+    glfwMakeContextCurrent(window_);
+    if (!gladLoadGL(glfwGetProcAddress)) throw ContextError("the window's OpenGL 3.3 context cannot be used");
+    glfwSwapInterval(1);
+}
+
+glm::ivec2 Window::framebuffer_size() const {
+    glm::ivec2 size;
+    glfwGetFramebufferSize(window_, &size.x, &size.y);
+    return size;
+}
+
+glm::dvec2 Window::pixels_per_pointer_unit() const {
+    glm::ivec2 size;
+    glfwGetWindowSize(window_, &size.x, &size.y);
+    return glm::dvec2(framebuffer_size()) / glm::dvec2(std::max(size.x, 1), std::max(size.y, 1));
+}
+
+float Window::content_scale() const {
+    float x = 1.0f, y = 1.0f;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return std::clamp(std::max(x, y), 0.5f, 4.0f);
+}
+
+WindowPlace Window::place() const {
+    if (windowed_) return *windowed_;
+    WindowPlace place;
+    glm::ivec2 position;
+    glfwGetWindowSize(window_, &place.size.x, &place.size.y);
+    glfwGetWindowPos(window_, &position.x, &position.y);
+    place.position = position;
+    return place;
+}
+
+void Window::toggle_full_screen() {
+    if (windowed_) {
+        const WindowPlace back = *windowed_;
+        windowed_.reset();
+        glfwSetWindowMonitor(window_, nullptr, back.position->x, back.position->y, back.size.x, back.size.y, GLFW_DONT_CARE);
+        return;
+    }
+    const WindowPlace now = place();
+    GLFWmonitor* monitor = monitor_of(now);
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (!mode) return;
+    windowed_ = now;
+    glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+}  // namespace normalscope

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "platform/context.h"
+
+#include <glm/vec2.hpp>
+
+#include <optional>
+
+struct GLFWwindow;
+
+namespace normalscope {
+
+/// A window's place on the desktop, to be found again next time.
+struct WindowPlace {
+    glm::ivec2 size{1280, 800};
+    std::optional<glm::ivec2> position;
+};
+
+/// A GLFW window with its context. Throws ContextError where there is no display or no OpenGL 3.3.
+class Window final : public Context {
+public:
+    Window(const char* title, const WindowPlace& place);
+    ~Window() override;
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    void make_current() override;
+    std::string_view name() const override { return "window"; }
+
+    GLFWwindow* handle() const { return window_; }
+    glm::ivec2 framebuffer_size() const;
+    /// Framebuffer pixels per unit of the pointer's coordinates.
+    glm::dvec2 pixels_per_pointer_unit() const;
+    /// Physical pixels per logical one, as the desktop has it.
+    float content_scale() const;
+    /// Where it stands when not full screen.
+    WindowPlace place() const;
+    /// Full screen on the monitor that it is on, and back.
+    void toggle_full_screen();
+
+private:
+    GLFWwindow* window_ = nullptr;
+    std::optional<WindowPlace> windowed_;  // set while full screen
+};
+
+}  // namespace normalscope

@@ -1,0 +1,64 @@
+// Light on whatever normal it is given: a wrong normal shows as wrong light.
+in vec3 world_position;
+in vec3 world_normal;
+in vec4 base_color;
+#ifdef ERROR_MAP
+in vec3 object_normal;
+#endif
+
+uniform vec3 toward_light;
+uniform vec3 eye;
+uniform float outside;     // +1 or -1: the winding that the normals take for outside; 0: arrows and marks, always closed
+uniform vec3 inside_color;
+uniform float ghost;       // 1: a glassy shell, clearest where one looks straight through
+#ifdef ERROR_MAP
+uniform mat3 naive_matrix;
+uniform mat3 inverse_transpose_matrix;
+uniform vec3 ramp[6];
+#endif
+
+out vec4 color;
+
+// Colours are sRGB. Squares and square roots stand in for its curve: near enough to the eye, and flat colours come out
+// exactly as they went in.
+vec3 to_light(vec3 c) { return c * c; }
+vec3 to_srgb(vec3 c) { return sqrt(clamp(c, 0.0, 1.0)); }
+
+void main() {
+    vec3 base = base_color.rgb;
+#ifdef ERROR_MAP
+    vec3 naive = naive_matrix * object_normal;
+    vec3 correct = inverse_transpose_matrix * object_normal;
+    float at = atan(length(cross(naive, correct)), dot(naive, correct)) / 1.5707963 * 5.0;
+    base = ramp[0];
+    for (int i = 0; i < 5; ++i) base = mix(base, ramp[i + 1], clamp(at - float(i), 0.0, 1.0));
+#endif
+    float size = length(world_normal);
+    if (size == 0.0) {  // no normal, no light: flat colour says so
+        color = vec4(base, base_color.a);
+        return;
+    }
+    vec3 n = world_normal / size;
+    bool seen_from_inside = outside != 0.0 && gl_FrontFacing == (outside < 0.0);
+    if (seen_from_inside) {
+        n = -n;
+        base = inside_color;
+    }
+    vec3 view = normalize(eye - world_position);
+    float diffuse = dot(n, toward_light);
+    // Light wraps a little around the edge, and the sky is brighter than the ground.
+    float lit = 0.26 + 0.12 * n.y + 0.72 * max(0.85 * diffuse + 0.15, 0.0);
+    // An arrow's colour is its meaning: light gives it shape but must not drown it.
+    if (outside == 0.0) lit = 0.55 + 0.5 * lit;
+    vec3 halfway = normalize(toward_light + view);
+    float shine = max(dot(n, halfway), 0.0);
+    shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine;
+    vec3 c = to_light(base) * lit + vec3(0.10) * shine * step(0.0, diffuse);
+    float alpha = base_color.a;
+    if (ghost > 0.5) {
+        float rim = 1.0 - abs(dot(n, view));
+        alpha *= 0.2 + 0.8 * rim * rim;
+        c = to_light(base);
+    }
+    color = vec4(to_srgb(c), alpha);
+}

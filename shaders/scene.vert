@@ -1,0 +1,46 @@
+// Everything solid: the mesh, triangles that are in world space already (world_from_object = 1), and instanced arrows.
+// One program for all three, since a software driver compiles each anew: that is most of what a cold capture waits for.
+layout(location = 0) in vec3 position;     // of an arrow: around its axis, in shaft radii; 0 base, 1 neck, 2 tip along it
+layout(location = 1) in vec3 normal;       // of an arrow: in the same frame
+layout(location = 2) in vec4 tint;         // sRGB; a constant where there is one colour for all
+layout(location = 3) in vec3 site_point;   // of an arrow: the surface's point and normal there, in object space
+layout(location = 4) in vec3 site_normal;
+
+uniform mat4 clip_from_world;
+uniform mat4 world_from_object;
+uniform mat3 normal_matrix;
+uniform float arrow_length;  // 0: no arrow
+uniform float shaft_radius;
+uniform float head_length;
+
+out vec3 world_position;
+out vec3 world_normal;
+out vec4 base_color;
+#ifdef ERROR_MAP
+out vec3 object_normal;
+#endif
+
+void main() {
+    bool arrow = arrow_length > 0.0;
+    vec4 world = world_from_object * vec4(arrow ? site_point : position, 1.0);
+    vec3 direction = normal_matrix * (arrow ? site_normal : normal);
+    if (arrow) {
+        // Base and direction go to world space by the matrices of the arrow's kind: dragging the object uploads nothing.
+        float size = length(direction);
+        vec3 axis = size > 0.0 ? direction / size : vec3(0.0, 0.0, 1.0);
+        vec3 helper = abs(axis.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
+        vec3 u = normalize(cross(helper, axis));
+        vec3 v = cross(axis, u);
+        float along = position.z < 0.5 ? 0.0 : position.z < 1.5 ? arrow_length - head_length : arrow_length;
+        vec3 offset = along * axis + shaft_radius * (position.x * u + position.y * v);
+        world = vec4(world.xyz / world.w + (size > 0.0 ? offset : vec3(0.0)), 1.0);  // no direction, no arrow
+        direction = normal.x * u + normal.y * v + normal.z * axis;
+    }
+    world_position = world.xyz;
+    world_normal = direction;
+    base_color = tint;
+#ifdef ERROR_MAP
+    object_normal = normal;
+#endif
+    gl_Position = clip_from_world * world;
+}
