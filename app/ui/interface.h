@@ -16,6 +16,7 @@ struct Requests {
     bool undo = false, redo = false;
     bool full_screen = false, quit = false;
     std::optional<std::string> open;                  ///< a scene, a mesh, or a built-in scene's name
+    std::optional<std::string> open_mesh;             ///< a mesh as the scene's surface, all else kept
     std::optional<std::filesystem::path> save_scene;
     std::optional<std::filesystem::path> save_picture;
 };
@@ -28,7 +29,7 @@ struct Status {
 };
 
 /// Dear ImGui on a scene: the panel, the words on the picture, help, file dialogs and messages. Owns no ImGui context:
-/// one must be current. Knows neither GL nor the window.
+/// one must be current, whose unit is the framebuffer's pixel. Knows neither GL nor the window.
 class Interface {
 public:
     Interface();
@@ -36,8 +37,8 @@ public:
     Interface(Interface&&) noexcept;
     Interface& operator=(Interface&&) noexcept;
 
-    /// Fonts and style for a theme and a scale (physical pixels per logical one). The font atlas is made anew where the
-    /// scale changed; true says so, and that the backend must upload it again.
+    /// Before ImGui::NewFrame: fonts and style for a theme and a scale (physical pixels per logical one). The font atlas
+    /// is made anew where the scale changed or letters are missing; true says so, and that the backend must upload it again.
     bool prepare(Theme theme, float scale);
 
     /// Where the picture goes in a framebuffer of this size: what the panel leaves.
@@ -53,8 +54,13 @@ public:
     /// One line that may go by itself, such as "Saved …".
     void show_note(std::string_view line);
 
+    /// Seconds until it wants to be drawn again though nothing happens, such as for a tooltip; infinite if never. Beyond
+    /// that, Dear ImGui needs two more frames after each event to settle.
+    double redraw_after() const;
+
     void toggle_help();
     void toggle_panel();
+    bool panel_shown() const;
     void ask_open(const Scene&);
     void ask_save_scene();
     void ask_save_picture();

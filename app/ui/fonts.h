@@ -1,0 +1,37 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <set>
+#include <string_view>
+
+namespace normalscope {
+
+struct Fonts {
+    ImFont* body = nullptr;    ///< 15 px
+    ImFont* small = nullptr;   ///< 13 px: what stands beside, and tables
+    ImFont* strong = nullptr;  ///< 15 px, semibold: headings
+    ImFont* title = nullptr;   ///< 20 px, semibold: the words on the picture, the rules' formulas
+};
+
+/// Letters beyond those that the interface itself uses: those of file names and messages. Baking every letter of every
+/// script at the start would cost more than all else that the interface does.
+class ExtraLetters {
+public:
+    /// Remembers the letters of this text that `font` lacks.
+    void want(std::string_view utf8, const ImFont* font);
+    /// There are some that no atlas has been built with yet.
+    bool pending() const { return pending_; }
+
+    const std::set<ImWchar>& all() const { return letters_; }
+    void built() { pending_ = false; }
+
+private:
+    std::set<ImWchar> letters_;
+    bool pending_ = false;
+};
+
+/// Makes the current context's font atlas anew and bakes it.
+Fonts build_fonts(float scale, ExtraLetters& extra);
+
+}  // namespace normalscope

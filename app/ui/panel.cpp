@@ -1,0 +1,94 @@
+#include "ui/panel.h"
+
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace normalscope {
+
+namespace {
+
+void scene_menu(PanelMemory& memory, const PanelContext& context, float width) {
+    const Look& look = context.look;
+    const std::string& file = context.status.file;
+    if (!begin_combo(look, "##scenes", file.empty() ? "scenes" : std::filesystem::path(file).filename().string(), width)) {
+        tip(look, "Built-in scenes to start from.");
+        return;
+    }
+    if (memory.scenes.empty()) memory.scenes = built_in_scenes();
+    for (const BuiltInScene& scene : memory.scenes) {
+        if (ImGui::Selectable(scene.name.c_str(), scene.name == file)) context.requests.open = scene.name;
+        tip(look, scene.about.c_str());
+    }
+    ImGui::EndCombo();
+}
+
+}  // namespace
+
+void toolbar(Scene& scene, PanelMemory& memory, const PanelContext& context) {
+    const Look& look = context.look;
+    constexpr int kIcons = 7;
+    const float side = look.px(30), gap = look.px(2);
+    scene_menu(memory, context, ImGui::GetContentRegionAvail().x - kIcons * (side + gap) - look.px(4));
+    ImGui::SameLine(0, look.px(4) + gap);
+    if (icon_button(look, "##open", Icon::Open, "Open a scene or a mesh… (Ctrl+O)")) context.dialog.open(FileDialog::For::OpenAny);
+    ImGui::SameLine(0, gap);
+    if (icon_button(look, "##save", Icon::Save, "Save the scene… (Ctrl+S)")) context.dialog.open(FileDialog::For::SaveScene);
+    ImGui::SameLine(0, gap);
+    if (icon_button(look, "##picture", Icon::Picture, "Save the picture… (Ctrl+P)")) context.dialog.open(FileDialog::For::SavePicture);
+    ImGui::SameLine(0, gap);
+    if (icon_button(look, "##undo", Icon::Undo, "Undo (Ctrl+Z)", context.status.can_undo)) context.requests.undo = true;
+    ImGui::SameLine(0, gap);
+    if (icon_button(look, "##redo", Icon::Redo, "Redo (Ctrl+Shift+Z)", context.status.can_redo)) context.requests.redo = true;
+    ImGui::SameLine(0, gap);
+    const bool dark = scene.theme == Theme::Dark;
+    if (icon_button(look, "##theme", dark ? Icon::Sun : Icon::Moon, dark ? "Light theme (T)" : "Dark theme (T)"))
+        scene.theme = dark ? Theme::Light : Theme::Dark;
+    ImGui::SameLine(0, gap);
+    if (icon_button(look, "##help", Icon::Help, "Mouse and keys (F1)")) context.help = !context.help;
+}
+
+void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context) {
+    const Look& look = context.look;
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize({look.px(kPanelWidth), ImGui::GetIO().DisplaySize.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::Begin("##panel", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar(2);
+    const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    ImGui::GetWindowDrawList()->AddLine({low.x + size.x - 1, low.y}, {low.x + size.x - 1, low.y + size.y}, packed(look.line));
+
+    // What a lecture switches all the time stays where it is; the rest scrolls.
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(16), look.px(12)));
+    if (ImGui::BeginChild("##always", {size.x - 1, 0}, ImGuiChildFlags_AlwaysUseWindowPadding | ImGuiChildFlags_AutoResizeY, ImGuiWindowFlags_NavFlattened)) {
+        toolbar(scene, memory, context);
+        rule_buttons(scene, context);
+        view_buttons(scene, context);
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
+
+    // The scroll bar stands in the margin, so that all ends where the buttons above do.
+    const float bar = ImGui::GetStyle().ScrollbarSize, right = look.px(16) - bar;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(right, 0));
+    if (ImGui::BeginChild("##rest", {size.x - 1, 0}, ImGuiChildFlags_AlwaysUseWindowPadding,
+                          ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_AlwaysVerticalScrollbar)) {
+        ImGui::Indent(look.px(16) - right);
+        stack_section(look, scene, memory.stack);
+        probe_section(scene, context);
+        surface_section(scene, context);
+        arrows_section(scene, context);
+        picture_section(scene, context);
+        ImGui::Dummy({0, look.px(8)});
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+    ImGui::End();
+}
+
+}  // namespace normalscope
