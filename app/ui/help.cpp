@@ -108,6 +108,7 @@ void draw_help(const Look& look, const PixelRect& picture, bool& open) {
     ImGui::PopFont();
     ImGui::SameLine(width - look.px(24 + 30));
     if (icon_button(look, "##close", Icon::Close, "Close (Esc)", true, 28)) open = false;
+    ImGui::Dummy({0, look.px(4)});
     const ImVec2 top = ImGui::GetCursorPos();
     ImGui::BeginGroup();
     block(look, "In the picture", kMouse);

@@ -52,7 +52,7 @@ void Messages::draw(const Look& look, const Frame& frame) {
 
     const float alpha = error_ ? 1.0f : static_cast<float>(std::clamp((kNoteSeconds - (now_ - since_)) / kFadeSeconds, 0.0, 1.0));
     const float left = static_cast<float>(frame.rect.origin.x), whole = static_cast<float>(frame.rect.size.x), margin = look.px(14);
-    const float close = error_ ? look.px(34) : 0.0f, pad = look.px(14);
+    const float close = error_ ? look.px(34) : 0.0f, pad = look.px(18);
     const float most = std::max(look.px(120), std::min(whole - 2 * margin, look.px(760)));
     const ImVec2 text = ImGui::CalcTextSize(text_.c_str(), nullptr, false, most - 2 * pad - close);
     const ImVec2 size{text.x + 2 * pad + close, text.y + look.px(18)};
@@ -68,7 +68,10 @@ void Messages::draw(const Look& look, const Frame& frame) {
     ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
     if (error_) {
         const ImVec2 low = ImGui::GetWindowPos();
-        ImGui::GetWindowDrawList()->AddRectFilled({low.x, low.y + look.px(8)}, {low.x + look.px(4), low.y + size.y - look.px(8)}, packed(look.bad), look.px(2));
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.PushClipRectFullScreen();
+        list.AddRectFilled({low.x + look.px(5), low.y + look.px(9)}, {low.x + look.px(9), low.y + size.y - look.px(9)}, packed(look.bad), look.px(2));
+        list.PopClipRect();
     }
     ImGui::PushTextWrapPos(size.x - pad - close + 1);
     ImGui::TextUnformatted(text_.c_str());

@@ -59,12 +59,10 @@ void add_menu(const Look& look, Scene& scene, StackMemory& memory) {
 
 // At the right of the heading.
 void buttons(const Look& look, Scene& scene, StackMemory& memory) {
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(9), look.px(2)));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(9), look.px(3)));
     float width = 2 * look.px(6);
     for (const char* label : {"x ½, y 2", "Add…", "Reset"}) width += ImGui::CalcTextSize(label).x + look.px(18);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + look.px(2));
-    ImGui::BeginGroup();
     ImGui::PushStyleColor(ImGuiCol_Button, look.accent);
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(look.accent, 0.85f));
     ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(look.accent, 0.7f));
@@ -78,7 +76,6 @@ void buttons(const Look& look, Scene& scene, StackMemory& memory) {
     ImGui::SameLine(0, look.px(6));
     if (ImGui::Button("Reset")) scene.stack = {Scale{}};
     tip(look, "Back to the object as it is: M = I. (R)");
-    ImGui::EndGroup();
     ImGui::PopStyleVar();
 }
 
