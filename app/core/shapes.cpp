@@ -143,7 +143,7 @@ Mesh cube(int resolution) {
 void disc(Builder& builder, int around, double y, double facing) {
     const int rings = std::max(1, around / 12);
     builder.grid(around, rings, true, false, [=](double u, double v) {
-        const double a = -facing * kTwoPi * u, r = 1.0 - v;
+        const double a = facing * kTwoPi * u, r = 1.0 - v;
         return Vertex{{r * std::sin(a), y, r * std::cos(a)}, {0.0, facing, 0.0}};
     });
 }
