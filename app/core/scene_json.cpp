@@ -114,7 +114,12 @@ Json json_of_scene(const Scene& scene) {
 
 // ---- reading -------------------------------------------------------------------------------------------------
 
-[[noreturn]] void fail(const std::string& path, const std::string& what) { throw InputError(path + ": " + what); }
+[[noreturn]] void fail(const std::string& path, const std::string& what) {
+    std::string line = path + ": " + what;
+    // A key may hold anything, such as a line break.
+    std::ranges::replace_if(line, [](unsigned char c) { return c < ' ' || c == 127; }, '?');
+    throw InputError(line);
+}
 
 std::string shown(const Json& j) {
     std::string text = j.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -276,7 +281,11 @@ Scene scene_of(Json root, const std::string& prefix) {
     fields(reader, scene);
     reader.known.emplace_back("normalscope");
     reader.no_other_keys();
-    (void)world_from_object(scene);  // overflow is an error of the scene, found before anything is drawn
+    try {
+        (void)world_from_object(scene);  // overflow is an error of the scene, found before anything is drawn
+    } catch (const InputError& e) {
+        throw InputError(prefix + e.what());
+    }
     return scene;
 }
 
