@@ -43,7 +43,7 @@ function(compile_fail_tests file)
   foreach(block IN ITEMS COMPILES LISTS blocks)
     string(REPLACE EXPECT_ERROR_ "" name ${block})
     add_test(NAME compile_fail.${stem}.${name} COMMAND_EXPAND_LISTS
-      COMMAND ${CMAKE_CXX_COMPILER} -std=c++20 -fsyntax-only -D${block} ${includes} ${file})
+      COMMAND ${CMAKE_CXX_COMPILER} -std=c++20 -fsyntax-only -D${block} "${includes}" ${file})
     set_tests_properties(compile_fail.${stem}.${name} PROPERTIES LABELS compile_fail ENVIRONMENT LC_ALL=C)
     if(NOT block STREQUAL COMPILES)
       set_tests_properties(compile_fail.${stem}.${name} PROPERTIES
