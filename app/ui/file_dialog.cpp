@@ -62,6 +62,7 @@ void FileDialog::suggest(const std::string& file) {
 
 void FileDialog::enter(const fs::path& folder) {
     const auto filter = all_files_ ? std::span<const std::string_view>{} : endings(purpose_);
+    listed_anew_ = true;
     Folder next = read_folder(folder.empty() ? fs::path("/") : folder, filter);
     complaint_ = next.error;
     // An unreadable folder is not entered, unless there is nothing else to show.
@@ -106,7 +107,9 @@ void FileDialog::list(const Look& look, Requests& requests) {
     bool chosen = false;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, look.card);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(8), look.px(8)));
-    if (ImGui::BeginChild("##list", {0, look.px(270)}, ImGuiChildFlags_AlwaysUseWindowPadding)) {
+    const bool listed = ImGui::BeginChild("##list", {0, look.px(270)}, ImGuiChildFlags_AlwaysUseWindowPadding);
+    ImGui::PopStyleVar();
+    if (listed) {
         ImGuiListClipper clipper;
         clipper.Begin(static_cast<int>(folder_.entries.size()));
         while (clipper.Step())
@@ -132,7 +135,6 @@ void FileDialog::list(const Look& look, Requests& requests) {
         if (folder_.cut) dim_text(look, "… and more: type the name.");
     }
     ImGui::EndChild();
-    ImGui::PopStyleVar();
     ImGui::PopStyleColor();
     if (!to_enter.empty()) enter(to_enter);
     if (chosen) choose(requests);
@@ -142,7 +144,9 @@ void FileDialog::draw(const Look& look, ExtraLetters& letters, Requests& request
     if (appearing_) ImGui::OpenPopup(kId);
     appearing_ = false;
     if (!open_) return;
-    for (const FolderEntry& entry : folder_.entries) letters.want(entry.name, look.fonts.body);
+    if (std::exchange(listed_anew_, false))
+        for (const FolderEntry& entry : folder_.entries) letters.want(entry.name, look.fonts.body);
+    letters.want(name_, look.fonts.body);
 
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
@@ -190,7 +194,10 @@ void FileDialog::draw(const Look& look, ExtraLetters& letters, Requests& request
     }
 
     const float button = look.px(108), gap = look.px(8);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + look.px(4));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(4), look.px(1)));
     if (ImGui::Checkbox("all files", &all_files_)) enter(folder_.path);
+    ImGui::PopStyleVar();
     tip(look, (std::string("Otherwise only ") + purpose.filter).c_str());
     ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * button - gap);
     const bool cancel = ImGui::Button("Cancel", {button, 0});

@@ -64,20 +64,23 @@ void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context) 
 
     // What a lecture switches all the time stays where it is; the rest scrolls.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(16), look.px(12)));
-    if (ImGui::BeginChild("##always", {size.x - 1, 0}, ImGuiChildFlags_AlwaysUseWindowPadding | ImGuiChildFlags_AutoResizeY, ImGuiWindowFlags_NavFlattened)) {
+    const bool always = ImGui::BeginChild("##always", {size.x - 1, 0}, ImGuiChildFlags_AlwaysUseWindowPadding | ImGuiChildFlags_AutoResizeY, ImGuiWindowFlags_NavFlattened);
+    ImGui::PopStyleVar();
+    if (always) {
         toolbar(scene, memory, context);
         rule_buttons(scene, context);
         view_buttons(scene, context);
     }
     ImGui::EndChild();
-    ImGui::PopStyleVar();
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
 
     // The scroll bar stands in the margin, so that all ends where the buttons above do.
     const float bar = ImGui::GetStyle().ScrollbarSize, right = look.px(16) - bar;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(right, 0));
-    if (ImGui::BeginChild("##rest", {size.x - 1, 0}, ImGuiChildFlags_AlwaysUseWindowPadding,
-                          ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_AlwaysVerticalScrollbar)) {
+    const bool rest = ImGui::BeginChild("##rest", {size.x - 1, 0}, ImGuiChildFlags_AlwaysUseWindowPadding,
+                          ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_AlwaysVerticalScrollbar);
+    ImGui::PopStyleVar();
+    if (rest) {
         ImGui::Indent(look.px(16) - right);
         stack_section(look, scene, memory.stack);
         probe_section(scene, context);
@@ -87,7 +90,6 @@ void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context) 
         ImGui::Dummy({0, look.px(8)});
     }
     ImGui::EndChild();
-    ImGui::PopStyleVar();
     ImGui::End();
 }
 

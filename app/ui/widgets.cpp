@@ -62,8 +62,9 @@ struct Track {
     float left = 0.0f, right = 0.0f;  ///< from the frame's left
 };
 Track track_of(const Look& look, const NumberBar& bar, float width) {
-    if (std::string_view(bar.letter).size() > 2 || width < look.px(180)) return {true, look.px(6), width - look.px(6)};
-    return {false, look.px(26), width - look.px(72)};
+    const float left = std::round(ImGui::CalcTextSize(bar.letter).x) + look.px(18), right = width - look.px(72);
+    if (right - left >= look.px(90)) return {false, left, right};
+    return {true, look.px(6), width - look.px(6)};
 }
 
 void draw_track(const Look& look, double value, const NumberBar& bar, ImVec2 low, ImVec2 high) {

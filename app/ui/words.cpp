@@ -56,6 +56,8 @@ public:
 
     void label(const Pane& pane, const Label& label) const {
         if (label.role == Label::Role::Title) return title(pane, label);
+        const glm::vec2 inside = label.pixel - glm::vec2(pane.rect.origin), size_of_pane(pane.rect.size);
+        if (inside.x < 0.0f || inside.y < 0.0f || inside.x > size_of_pane.x || inside.y > size_of_pane.y) return;
         const ImFont* font = label.role == Label::Role::Note ? look_.fonts.small : look_.fonts.strong;
         const ImVec2 size = extent(font, label.text);
         ImVec2 at{label.pixel.x - size.x / 2, label.pixel.y - size.y / 2};
