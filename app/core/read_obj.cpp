@@ -33,6 +33,7 @@ struct Part {
     Polygons::Block faces;
     bool relative = false;                  // counts back from the vertices read so far
     const char* bad_vertex = nullptr;       // the line that is not three numbers
+    bool understood = true;                 // by tinyobjloader
 };
 
 // OBJ counts from 1, or back from the last if negative; 0 stands for an index that is not given. What lies outside of
@@ -95,7 +96,7 @@ Part read_part(std::string_view text) {
     };
     // The callbacks, and not the usual LoadObj: that one drops polygons' identity and holds 255 corners at most.
     // Materials are not read, so that a missing .mtl file is no problem.
-    tinyobj::LoadObjWithCallback(stream, callback, &part);
+    part.understood = tinyobj::LoadObjWithCallback(stream, callback, &part);
     return part;
 }
 
@@ -147,6 +148,8 @@ Polygons read_obj(std::string_view text, const std::string& file) {
         polygons.positions.insert(polygons.positions.end(), part.positions.begin(), part.positions.end());
         polygons.normals.insert(polygons.normals.end(), part.normals.begin(), part.normals.end());
     }
+    if (std::ranges::any_of(parts, [](const Part& p) { return !p.understood; }))
+        throw InputError(file + ": has lines that are no OBJ; repair or export the mesh anew");
     if (polygons.positions.empty())
         throw InputError(file + ": has no vertices, so it is no OBJ file; a mesh's ending must be its format's");
     return polygons;
