@@ -96,7 +96,7 @@ struct Frame {
 struct FrameOptions {
     PixelRect rect;
     float pixel_scale = 1.0f;           ///< physical pixels per logical one
-    std::optional<int> hot_axis;        ///< the axis handle under the pointer
+    std::optional<int> hot_axis{};      ///< the axis handle under the pointer
     bool handles = true;                ///< knobs on the axes, to be dragged
 };
 

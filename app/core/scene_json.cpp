@@ -352,6 +352,12 @@ Json& member(Json& object, const std::string& path, const std::string& key) {
     return object[key];
 }
 
+std::string lower_case_ending(const fs::path& file) {
+    std::string ending = file.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
 }  // namespace
 
 std::string scene_text(const Scene& scene) { return json_text(json_of_scene(scene)); }
@@ -385,22 +391,27 @@ Scene with_setting(const Scene& scene, std::string_view assignment) {
     return scene_of(std::move(root), "--set ");
 }
 
+bool is_mesh_file(const fs::path& file) {
+    const std::string ending = lower_case_ending(file);
+    return ending == ".obj" || ending == ".ply" || ending == ".stl";
+}
+
+Scene with_mesh(Scene scene, const std::string& file) {
+    scene.about.clear();
+    scene.surface = MeshSurface{file};
+    scene.probe.reset();  // it was a point of another surface
+    return scene;
+}
+
 Scene load_scene(const std::string& file_or_name) {
     const fs::path path(file_or_name);
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (ending == ".json") {
+    if (lower_case_ending(path) == ".json") {
         Scene scene = parse_scene(read_file(path, kLargestSceneFile), file_or_name);
         if (MeshSurface* m = std::get_if<MeshSurface>(&scene.surface))
             m->mesh = (path.parent_path() / m->mesh).lexically_normal().string();
         return scene;
     }
-    if (ending == ".obj" || ending == ".ply" || ending == ".stl") {
-        Scene scene = load_scene(std::string(kDefaultScene));
-        scene.about.clear();
-        scene.surface = MeshSurface{file_or_name};
-        return scene;
-    }
+    if (is_mesh_file(path)) return with_mesh(load_scene(std::string(kDefaultScene)), file_or_name);
     if (const auto text = embedded::file(std::string(kSceneFolder) + file_or_name + ".json"))
         return parse_scene(*text, file_or_name);
 

@@ -20,6 +20,11 @@ Scene parse_scene(std::string_view text, std::string_view source);
 /// Throws UsageError for what is not of that form, InputError for what the scene does not allow.
 Scene with_setting(const Scene& scene, std::string_view assignment);
 
+/// Whether the file's ending is a mesh's: .obj, .ply or .stl, in any case.
+bool is_mesh_file(const std::filesystem::path& file);
+/// The scene with a mesh file as its surface and all else kept.
+Scene with_mesh(Scene scene, const std::string& file);
+
 /// Reads a scene (.json, its mesh path taken relative to the file) or wraps a mesh file (.obj, .ply, .stl) into the
 /// default scene; a built-in scene's name works too. Throws InputError.
 Scene load_scene(const std::string& file_or_name);

@@ -1,0 +1,64 @@
+#include "capture.h"
+
+#include "core/frame.h"
+#include "core/numbers.h"
+#include "core/surface.h"
+#include "gl/renderer.h"
+#include "gl/target.h"
+#include "gui.h"
+
+#include <future>
+#include <optional>
+
+namespace normalscope {
+
+namespace {
+
+bool has_words(const Frame& frame) {
+    bool any = !frame.legend.empty() || frame.error_legend;
+    for (const Pane& pane : frame.panes) any = any || !pane.labels.empty();
+    return any;
+}
+
+}  // namespace
+
+Capture capture(const Scene& scene, const CaptureOptions& options) {
+    // A large mesh takes as long to read as a context takes to make and its shaders to compile: do both at once.
+    SurfaceCache surfaces;
+    auto loading = std::async(std::launch::async, [&] { return surfaces.get(scene); });
+
+    const std::unique_ptr<Context> context = make_offscreen_context(options.context);
+    context->make_current();
+    const Target target(options.size, options.samples);
+    Renderer renderer;
+
+    const PixelRect everything{{0, 0}, options.size};
+    const std::shared_ptr<const Surface> surface = loading.get();
+    std::optional<Gui> gui;
+    if (options.panel) gui.emplace();
+    const PixelRect rect = gui ? gui->interface.picture(options.size) : everything;
+    const Frame frame = make_frame(scene, surface, {.rect = rect, .handles = options.panel});
+
+    target.bind();
+    renderer.draw(frame, options.size.y);
+    target.resolve();
+    if (!gui && has_words(frame)) gui.emplace();
+    if (gui) {
+        Status status;
+        if (options.panel) status.errors = error_statistics(surface->mesh, world_from_object(scene).normal_matrices_by_rule());
+        // Dear ImGui knows a window's size only after it has laid it out once.
+        for (int round = 0; round < (options.panel ? 3 : 1); ++round)
+            gui->layout(options.size, scene.theme, 1.0f, [&] {
+                Scene unchanged = scene;
+                if (options.panel) gui->interface.draw(unchanged, frame, status);
+                else gui->interface.draw_words(frame);
+            });
+        gui->draw();
+    }
+
+    Capture result{target.read(), {}};
+    if (options.numbers) result.numbers = numbers_text(scene, frame, {renderer_name(), std::string(context->name())});
+    return result;
+}
+
+}  // namespace normalscope

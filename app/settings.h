@@ -1,0 +1,17 @@
+#pragma once
+
+#include "platform/window.h"
+
+namespace normalscope {
+
+/// What is remembered from one session to the next, in $XDG_CONFIG_HOME/normalscope/settings.json.
+struct Settings {
+    WindowPlace place;
+};
+
+/// A missing or damaged file gives the defaults: nobody's work depends on it.
+Settings load_settings();
+/// Silently keeps the old file where it cannot be written.
+void save_settings(const Settings& settings);
+
+}  // namespace normalscope

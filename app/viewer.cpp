@@ -1,0 +1,346 @@
+#include "viewer.h"
+
+#include "core/axis_handles.h"
+#include "core/error.h"
+#include "core/frame.h"
+#include "core/history.h"
+#include "core/picking.h"
+#include "core/png.h"
+#include "core/scene_json.h"
+#include "gl/renderer.h"
+#include "gl/target.h"
+#include "gui.h"
+#include "pointer.h"
+#include "settings.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui_impl_glfw.h>
+
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <limits>
+#include <optional>
+
+namespace normalscope {
+
+namespace {
+
+constexpr int kSamples = 4;
+// Dear ImGui settles over a few frames after an event: a hovered button lights up in the next one.
+constexpr int kFramesAfterEvent = 3;
+
+/// The window's program: events edit the scene, the scene becomes a frame, the frame a picture.
+class Viewer {
+public:
+    Viewer(Scene scene, const std::string& file);
+    ~Viewer() { save_settings({window_.place()}); }
+    Viewer(const Viewer&) = delete;
+    Viewer& operator=(const Viewer&) = delete;
+
+    void run();
+
+private:
+    struct Opened {
+        std::string file;
+        Scene scene;
+        std::unique_ptr<SurfaceCache> surfaces;
+    };
+
+    void connect();
+    void wait();
+    void redraw();
+    Frame frame_now(bool handles);
+    void obey(const Requests& requests);
+    void begin_opening(const std::string& file);
+    void finish_opening();
+    void save_picture(const std::filesystem::path& file);
+    void show(const Scene& scene) { scene_ = scene; }
+    void on_key(int key, int modifiers);
+    void set_title();
+    /// What the user has finished doing becomes one step to undo.
+    void commit_if_finished() {
+        if (!pointer_.busy() && !gui_.editing()) history_.commit(scene_);
+    }
+    template <class Handler>
+    static void on_event(GLFWwindow* window, Handler&& handler) {
+        auto& viewer = *static_cast<Viewer*>(glfwGetWindowUserPointer(window));
+        viewer.frames_wanted_ = kFramesAfterEvent;
+        handler(viewer);
+    }
+
+    Settings settings_ = load_settings();
+    Window window_{"Normalscope", settings_.place};
+    struct Current {  // before everything that needs GL
+        explicit Current(Window& window) { window.make_current(); }
+    } current_{window_};
+    Renderer renderer_;
+    Gui gui_{window_.handle()};
+    std::optional<Target> target_;
+    std::unique_ptr<SurfaceCache> surfaces_ = std::make_unique<SurfaceCache>();
+
+    Scene scene_;
+    History history_;
+    std::string file_;
+    std::optional<Frame> frame_;
+    Pointer pointer_;
+    std::future<Opened> opening_;
+    int frames_wanted_ = kFramesAfterEvent;
+
+    // The error statistics go over every normal: only when the matrix or the surface changed.
+    std::shared_ptr<const Surface> measured_surface_;
+    glm::dmat3 measured_matrix_{0.0};
+    std::optional<ErrorStatistics> errors_;
+};
+
+Viewer::Viewer(Scene scene, const std::string& file) : scene_(std::move(scene)), history_(scene_), file_(file) {
+    connect();
+    set_title();
+}
+
+void Viewer::set_title() {
+    const std::string title = (file_.empty() ? "" : std::filesystem::path(file_).filename().string() + " \u2013 ") + "Normalscope";
+    glfwSetWindowTitle(window_.handle(), title.c_str());
+}
+
+void Viewer::connect() {
+    GLFWwindow* w = window_.handle();
+    glfwSetWindowUserPointer(w, this);
+    // Dear ImGui gets each event first, the pointer's place in framebuffer pixels, in which everything is laid out.
+    glfwSetCursorPosCallback(w, [](GLFWwindow* window, double x, double y) {
+        on_event(window, [&](Viewer& v) {
+            const glm::dvec2 at = glm::dvec2(x, y) * v.window_.pixels_per_pointer_unit();
+            ImGui_ImplGlfw_CursorPosCallback(window, at.x, at.y);
+            if (v.frame_) v.pointer_.move(v.scene_, *v.frame_, at, v.window_.content_scale());
+        });
+    });
+    glfwSetMouseButtonCallback(w, [](GLFWwindow* window, int button, int action, int modifiers) {
+        on_event(window, [&](Viewer& v) {
+            ImGui_ImplGlfw_MouseButtonCallback(window, button, action, modifiers);
+            if (!v.frame_) return;
+            if (action == GLFW_RELEASE) v.pointer_.release(v.scene_, *v.frame_, v.window_.content_scale());
+            else if (!v.gui_.wants_mouse()) {
+                v.history_.commit(v.scene_);
+                v.pointer_.press(v.scene_, *v.frame_,
+                                 {.left = button == GLFW_MOUSE_BUTTON_LEFT, .shift = (modifiers & GLFW_MOD_SHIFT) != 0},
+                                 v.window_.content_scale());
+            }
+        });
+    });
+    glfwSetScrollCallback(w, [](GLFWwindow* window, double x, double y) {
+        on_event(window, [&](Viewer& v) {
+            ImGui_ImplGlfw_ScrollCallback(window, x, y);
+            if (!v.gui_.wants_mouse()) v.pointer_.scroll(v.scene_, y);
+        });
+    });
+    glfwSetKeyCallback(w, [](GLFWwindow* window, int key, int code, int action, int modifiers) {
+        on_event(window, [&](Viewer& v) {
+            ImGui_ImplGlfw_KeyCallback(window, key, code, action, modifiers);
+            if (action != GLFW_RELEASE) v.on_key(key, modifiers);
+        });
+    });
+    glfwSetCharCallback(w, [](GLFWwindow* window, unsigned c) {
+        on_event(window, [&](Viewer&) { ImGui_ImplGlfw_CharCallback(window, c); });
+    });
+    glfwSetWindowFocusCallback(w, [](GLFWwindow* window, int focused) {
+        on_event(window, [&](Viewer&) { ImGui_ImplGlfw_WindowFocusCallback(window, focused); });
+    });
+    glfwSetCursorEnterCallback(w, [](GLFWwindow* window, int entered) {
+        on_event(window, [&](Viewer&) { ImGui_ImplGlfw_CursorEnterCallback(window, entered); });
+    });
+    glfwSetDropCallback(w, [](GLFWwindow* window, int count, const char** files) {
+        on_event(window, [&](Viewer& v) {
+            if (count > 0) v.begin_opening(files[0]);
+        });
+    });
+    glfwSetFramebufferSizeCallback(w, [](GLFWwindow* window, int, int) {
+        on_event(window, [](Viewer& v) { v.redraw(); });  // also while the frame is being dragged
+    });
+    glfwSetWindowRefreshCallback(w, [](GLFWwindow* window) { on_event(window, [](Viewer&) {}); });
+    glfwSetWindowContentScaleCallback(w, [](GLFWwindow* window, float, float) { on_event(window, [](Viewer&) {}); });
+}
+
+void Viewer::on_key(int key, int modifiers) {
+    const bool control = (modifiers & GLFW_MOD_CONTROL) != 0, shift = (modifiers & GLFW_MOD_SHIFT) != 0;
+    if (key == GLFW_KEY_F1) return gui_.interface.toggle_help();
+    if (key == GLFW_KEY_F11) return window_.toggle_full_screen();
+    if (pointer_.busy() || gui_.wants_keyboard()) return;
+    history_.commit(scene_);
+    if (control) {
+        switch (key) {
+            case GLFW_KEY_Z: return show(shift ? history_.redo() : history_.undo());
+            case GLFW_KEY_Y: return show(history_.redo());
+            case GLFW_KEY_O: return gui_.interface.ask_open(scene_);
+            case GLFW_KEY_S: return gui_.interface.ask_save_scene();
+            case GLFW_KEY_P: return gui_.interface.ask_save_picture();
+            case GLFW_KEY_Q: return glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+            default: return;
+        }
+    }
+    Camera& camera = scene_.camera;
+    const auto look = [&](double azimuth, double elevation) { camera.azimuth = azimuth, camera.elevation = elevation; };
+    switch (key) {
+        case GLFW_KEY_N: scene_.rule = Rule::Naive; break;
+        case GLFW_KEY_I: scene_.rule = Rule::InverseTranspose; break;
+        case GLFW_KEY_C: scene_.rule = Rule::Cofactor; break;
+        case GLFW_KEY_V: scene_.view = static_cast<ViewMode>((static_cast<int>(scene_.view) + 1) % 3); break;
+        case GLFW_KEY_E: scene_.color = scene_.color == SurfaceColor::Lit ? SurfaceColor::Error : SurfaceColor::Lit; break;
+        case GLFW_KEY_G: scene_.show.ghost = !scene_.show.ghost; break;
+        case GLFW_KEY_T: scene_.theme = scene_.theme == Theme::Light ? Theme::Dark : Theme::Light; break;
+        case GLFW_KEY_R: scene_.stack.clear(); break;
+        case GLFW_KEY_1: look(0.0, 0.0); break;
+        case GLFW_KEY_2: look(90.0, 0.0); break;
+        case GLFW_KEY_3: look(0.0, 90.0); break;
+        case GLFW_KEY_TAB:
+        case GLFW_KEY_H: gui_.interface.toggle_panel(); break;
+        case GLFW_KEY_F:
+            if (frame_) {
+                const WorldBall ball = bounding_ball(frame_->surface->mesh, world_from_object(scene_));
+                camera = framed(camera, ball.centre, ball.radius + 2.0 * scene_.arrows.length);
+            }
+            break;
+        default: break;
+    }
+}
+
+Frame Viewer::frame_now(bool handles) {
+    std::shared_ptr<const Surface> surface;
+    const auto make = [&] {
+        return make_frame(scene_, surfaces_->get(scene_),
+                          {.rect = gui_.interface.picture(window_.framebuffer_size()), .pixel_scale = window_.content_scale(),
+                           .hot_axis = pointer_.hot_axis(), .handles = handles});
+    };
+    try {
+        return make();
+    } catch (const InputError& e) {  // the scene as it last was is still good
+        gui_.interface.show_error(e.what());
+        scene_ = history_.current();
+        return make();
+    }
+}
+
+void Viewer::redraw() {
+    const glm::ivec2 size = window_.framebuffer_size();
+    if (size.x < 1 || size.y < 1) return;
+    if (!target_ || target_->size() != size) {
+        target_.reset();
+        target_.emplace(size, kSamples);
+    }
+    frame_ = frame_now(true);
+    const glm::dmat3 m3 = world_from_object(scene_).normal_matrices_by_rule().naive;
+    if (measured_surface_ != frame_->surface || measured_matrix_ != m3) {
+        measured_surface_ = frame_->surface;
+        measured_matrix_ = m3;
+        errors_ = error_statistics(frame_->surface->mesh, normal_matrices(m3));
+    }
+
+    const Scene before = scene_;
+    Requests requests;
+    gui_.layout(size, scene_.theme, window_.content_scale(), [&] {
+        requests = gui_.interface.draw(scene_, *frame_, {history_.can_undo(), history_.can_redo(), errors_, file_});
+    });
+    if (scene_ != before) {
+        frame_ = frame_now(true);  // so that the picture follows the slider without a frame's delay
+        frames_wanted_ = kFramesAfterEvent;
+    }
+    target_->bind();
+    renderer_.draw(*frame_, size.y);
+    target_->resolve();
+    gui_.draw();
+    target_->show();
+    glfwSwapBuffers(window_.handle());
+
+    obey(requests);
+    if (!pointer_.scrolled()) commit_if_finished();
+}
+
+void Viewer::obey(const Requests& requests) {
+    if (requests.undo || requests.redo) {
+        history_.commit(scene_);
+        show(requests.undo ? history_.undo() : history_.redo());
+    }
+    if (requests.full_screen) window_.toggle_full_screen();
+    if (requests.quit) glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
+    if (requests.open) begin_opening(*requests.open);
+    if (requests.open_mesh) begin_opening(*requests.open_mesh);
+    try {
+        if (requests.save_scene) {
+            save_scene(scene_, *requests.save_scene);
+            file_ = requests.save_scene->string();
+            set_title();
+            gui_.interface.show_note("Saved " + file_);
+        }
+        if (requests.save_picture) save_picture(*requests.save_picture);
+    } catch (const Error& e) {
+        gui_.interface.show_error(e.what());
+    }
+}
+
+void Viewer::begin_opening(const std::string& file) {
+    if (opening_.valid()) return gui_.interface.show_note("Still reading a file");
+    // In another thread: the window stays alive while a large mesh is read. A mesh changes the surface and no more.
+    opening_ = std::async(std::launch::async, [file, scene = scene_] {
+        Opened opened{file, is_mesh_file(file) ? with_mesh(scene, file) : load_scene(file), std::make_unique<SurfaceCache>()};
+        (void)opened.surfaces->get(opened.scene);
+        return opened;
+    });
+    if (opening_.wait_for(std::chrono::milliseconds(150)) != std::future_status::ready)
+        gui_.interface.show_note("Reading " + std::filesystem::path(file).filename().string() + " \u2026");
+}
+
+void Viewer::finish_opening() {
+    if (!opening_.valid() || opening_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    frames_wanted_ = kFramesAfterEvent;
+    try {
+        Opened opened = opening_.get();
+        history_.commit(scene_);
+        opened.scene.theme = scene_.theme;  // the room's light does not change with the scene
+        scene_ = std::move(opened.scene);
+        surfaces_ = std::move(opened.surfaces);
+        file_ = std::move(opened.file);
+        set_title();
+    } catch (const Error& e) {
+        gui_.interface.show_error(e.what());
+    }
+}
+
+void Viewer::save_picture(const std::filesystem::path& file) {
+    const glm::ivec2 size = window_.framebuffer_size();
+    const Frame frame = frame_now(false);
+    gui_.layout(size, scene_.theme, window_.content_scale(), [&] { gui_.interface.draw_words(frame); });
+    target_->bind();
+    renderer_.draw(frame, size.y);
+    target_->resolve();
+    gui_.draw();
+    write_png(file, cropped(target_->read(), frame.rect.origin, frame.rect.size));
+    gui_.interface.show_note("Saved " + file.string());
+    frames_wanted_ = kFramesAfterEvent;
+}
+
+void Viewer::wait() {
+    double seconds = gui_.interface.redraw_after();
+    if (opening_.valid()) seconds = std::min(seconds, 0.05);
+    if (frames_wanted_ > 0) glfwPollEvents();
+    else if (std::isfinite(seconds)) {
+        glfwWaitEventsTimeout(std::max(seconds, 0.001));
+        frames_wanted_ = std::max(frames_wanted_, 1);
+    } else glfwWaitEvents();
+}
+
+void Viewer::run() {
+    while (!glfwWindowShouldClose(window_.handle())) {
+        wait();
+        finish_opening();
+        if (frames_wanted_ > 0) {
+            --frames_wanted_;
+            redraw();
+        }
+    }
+}
+
+}  // namespace
+
+void run_viewer(Scene scene, const std::string& file) { Viewer(std::move(scene), file).run(); }
+
+}  // namespace normalscope
