@@ -23,12 +23,13 @@ constexpr const char* kId = "##files";
 struct Purpose {
     const char *title, *action, *filter;
     std::string_view ending;  ///< added to a name that has none; empty: never
+    std::string_view name;    ///< to begin with
 };
 constexpr std::array<Purpose, 4> kPurposes{{
-    {"Open a scene or a mesh", "Open", "scenes and meshes (.json .obj .ply .stl)", ""},
-    {"Open a mesh", "Open", "meshes (.obj .ply .stl)", ""},
-    {"Save the scene", "Save", "scenes (.json)", ".json"},
-    {"Save the picture", "Save", "pictures (.png)", ".png"},
+    {"Open a scene or a mesh", "Open", "scenes and meshes (.json .obj .ply .stl)", "", ""},
+    {"Open a mesh", "Open", "meshes (.obj .ply .stl)", "", ""},
+    {"Save the scene", "Save", "scenes (.json)", ".json", "scene.json"},
+    {"Save the picture", "Save", "pictures (.png)", ".png", "normalscope.png"},
 }};
 const Purpose& about(For purpose) { return kPurposes[static_cast<std::size_t>(purpose)]; }
 
@@ -47,17 +48,13 @@ std::span<const std::string_view> endings(For purpose) {
 }  // namespace
 
 void FileDialog::open(For purpose) {
-    if (purpose != purpose_) name_.clear();
+    if (purpose != purpose_ || name_.empty()) name_ = about(purpose).name;
     purpose_ = purpose;
     open_ = appearing_ = focus_name_ = true;
     complaint_.clear();
     to_overwrite_.clear();
     std::error_code error;
     enter(folder_.path.empty() ? fs::current_path(error) : folder_.path);
-}
-
-void FileDialog::suggest(const std::string& file) {
-    if (name_.empty()) name_ = file;
 }
 
 void FileDialog::enter(const fs::path& folder) {

@@ -16,8 +16,6 @@ public:
 
     /// Shows it from the next frame on. What was typed is kept from the last time, and so is the folder.
     void open(For purpose);
-    /// A file name to begin with, where there is none yet for this purpose.
-    void suggest(const std::string& file);
     bool is_open() const { return open_; }
 
     void draw(const Look& look, ExtraLetters& letters, Requests& requests);

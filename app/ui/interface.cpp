@@ -117,9 +117,6 @@ void Interface::toggle_panel() { state_->panel_shown = !state_->panel_shown; }
 bool Interface::panel_shown() const { return state_->panel_shown; }
 void Interface::ask_open(const Scene&) { state_->dialog.open(FileDialog::For::OpenAny); }
 void Interface::ask_save_scene() { state_->dialog.open(FileDialog::For::SaveScene); }
-void Interface::ask_save_picture() {
-    state_->dialog.open(FileDialog::For::SavePicture);
-    state_->dialog.suggest("normalscope.png");
-}
+void Interface::ask_save_picture() { state_->dialog.open(FileDialog::For::SavePicture); }
 
 }  // namespace normalscope

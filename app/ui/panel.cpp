@@ -63,7 +63,7 @@ void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context) 
     ImGui::GetWindowDrawList()->AddLine({low.x + size.x - 1, low.y}, {low.x + size.x - 1, low.y + size.y}, packed(look.line));
 
     // What a lecture switches all the time stays where it is; the rest scrolls.
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(16), look.px(12)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(16), look.px(10)));
     const bool always = ImGui::BeginChild("##always", {size.x - 1, 0}, ImGuiChildFlags_AlwaysUseWindowPadding | ImGuiChildFlags_AutoResizeY, ImGuiWindowFlags_NavFlattened);
     ImGui::PopStyleVar();
     if (always) {

@@ -187,10 +187,10 @@ void probe_section(Scene& scene, const PanelContext& context) {
         tip(look, "The surface's point nearest the middle of the picture. Click the surface to pin the probe there.");
     }
     if (!open) return;
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px(8), look.px(1)));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px(8), 0));
     if (const auto& probe = context.frame.probe) {
         where_and_whither(look, *probe);
-        ImGui::Dummy({0, look.px(3)});
+        ImGui::Dummy({0, look.px(4)});
         dots(look, *probe);
     } else {
         dim_text(look, "This surface has no point to look at.");

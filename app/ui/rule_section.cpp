@@ -50,8 +50,8 @@ void button(const Look& look, Scene& scene, const RuleButton& b, bool exists, Im
     draw_arrow(list, arrow_kind(b.rule), {low.x + look.px(10), low.y + look.px(13)}, {low.x + look.px(38), low.y + look.px(13)}, look.px(3), packed(tint));
     const ImVec2 key = look.fonts.small->CalcTextSizeA(look.fonts.small->FontSize, 1e9f, 0, b.key);
     list.AddText(look.fonts.small, look.fonts.small->FontSize, {high.x - key.x - look.px(8), low.y + look.px(4)}, packed(look.dim), b.key);
-    centred(look.fonts.title, low.y + look.px(20), ink, formula(b.rule));
-    centred(look.fonts.small, low.y + look.px(48), chosen ? look.text : look.dim, b.label);
+    centred(look.fonts.title, low.y + look.px(18), ink, formula(b.rule));
+    centred(look.fonts.small, low.y + look.px(44), chosen ? look.text : look.dim, b.label);
     ImGui::PopStyleVar();
 
     const std::string about = std::string(b.about) + (exists ? "" : "\n\nNot here: this M has no inverse. It can still be chosen; the surface is then drawn without light.");
@@ -66,7 +66,7 @@ void rule_buttons(Scene& scene, const PanelContext& context) {
     const float gap = look.px(6), width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3);
     for (std::size_t i = 0; i < kButtons.size(); ++i) {
         if (i > 0) ImGui::SameLine(0, gap);
-        button(look, scene, kButtons[i], kButtons[i].rule != Rule::InverseTranspose || invertible, {width, look.px(70)});
+        button(look, scene, kButtons[i], kButtons[i].rule != Rule::InverseTranspose || invertible, {width, look.px(66)});
     }
 }
 

@@ -61,7 +61,7 @@ void add_menu(const Look& look, Scene& scene, StackMemory& memory) {
 void buttons(const Look& look, Scene& scene, StackMemory& memory) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(9), look.px(3)));
     float width = 2 * look.px(6);
-    for (const char* label : {"x ½, y 2", "Add…", "Reset"}) width += ImGui::CalcTextSize(label).x + look.px(18);
+    for (const char* label : {"x ½, y 2", "Add…", "Reset"}) width += ImGui::CalcTextSize(label).x + 2 * look.px(9);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
     ImGui::PushStyleColor(ImGuiCol_Button, look.accent);
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(look.accent, 0.85f));
@@ -191,7 +191,6 @@ void what_m_is(const Look& look, const Scene& scene) {
     matrix_in_brackets(look, m.matrix(), ImGui::GetContentRegionAvail().x);
     tip(look, "The product of the transforms, the first of which stands rightmost: M = last … first. "
               "Vectors have w = 0, so that only the marked M₃ moves them, and only it decides what becomes of normals.");
-    ImGui::Dummy({0, 0});
     const float width = ImGui::GetContentRegionAvail().x, start = ImGui::GetCursorPosX();
     const auto figure = [&](float at, const char* label, const std::string& value, const char* about) {
         ImGui::SetCursorPosX(start + at * width);

@@ -99,7 +99,7 @@ void set_style(Look& look, Theme theme, float scale) {
     style.GrabRounding = 6;
     style.ScrollbarRounding = 6;
     style.ScrollbarSize = 8;
-    style.FramePadding = {8, 5};
+    style.FramePadding = {8, 4};
     style.ItemSpacing = {8, 6};
     style.ItemInnerSpacing = {7, 4};
     style.CellPadding = {4, 2};

@@ -21,12 +21,12 @@ void tip(const Look& look, const char* text) {
 }
 
 bool section(const Look& look, const char* title, bool open_at_first) {
-    ImGui::Dummy({0, 0});
+    if (ImGui::GetCursorPosY() > look.px(8)) ImGui::Dummy({0, 0});  // but for the first
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = look.px(28);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddLine(from, {from.x + width, from.y}, packed(look.line));
-    ImGui::Dummy({0, 0});
+    ImGui::SetCursorScreenPos({from.x, from.y + look.px(4)});
 
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID(title);

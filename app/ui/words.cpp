@@ -40,22 +40,41 @@ public:
         plain(font, at, to_imgui(color), text);
     }
 
-    void title(const Pane& pane, const Label& label) const {
-        const ImFont* font = look_.fonts.title;
-        ImVec2 size = extent(font, label.text);
-        const float pad = look_.px(18), width = static_cast<float>(pane.rect.size.x);
-        if (size.x + 2 * pad > width) {  // a narrow pane: a smaller title
-            font = look_.fonts.strong;
-            size = extent(font, label.text);
+    // As large as the narrowest pane allows, so that all are alike; a very narrow one keeps what follows the last wide
+    // gap, the formula.
+    struct TitleStyle {
+        const ImFont* font;
+        bool whole;
+        float pad, top;
+    };
+    TitleStyle title_style(const Frame& frame) const {
+        const TitleStyle large{look_.fonts.title, true, look_.px(18), look_.px(14)}, narrow{look_.fonts.small, false, look_.px(12), look_.px(8)};
+        for (const TitleStyle& style : {large, TitleStyle{look_.fonts.strong, true, narrow.pad, narrow.top}, TitleStyle{look_.fonts.small, true, narrow.pad, narrow.top},
+                                        TitleStyle{look_.fonts.strong, false, narrow.pad, narrow.top}}) {
+            bool fits = true;
+            for (const Pane& pane : frame.panes)
+                for (const Label& label : pane.labels)
+                    if (label.role == Label::Role::Title)
+                        fits &= extent(style.font, title_text(label, style)).x + 2 * style.pad + look_.px(8) <= static_cast<float>(pane.rect.size.x);
+            if (fits) return style;
         }
-        const float middle = static_cast<float>(pane.rect.origin.x) + width / 2, top = static_cast<float>(pane.rect.origin.y) + look_.px(14);
-        const ImVec2 low{std::round(middle - size.x / 2 - pad), top}, high{std::round(middle + size.x / 2 + pad), top + size.y + look_.px(10)};
-        list_.AddRectFilled(low, high, packed(faded(to_imgui(label.color), 0.95f)), (high.y - low.y) / 2);
-        plain(font, {middle - size.x / 2, low.y + look_.px(5)}, {1, 1, 1, 1}, label.text);
+        return narrow;
+    }
+    static std::string_view title_text(const Label& label, const TitleStyle& style) {
+        const auto gap = label.text.rfind("   ");
+        return style.whole || gap == std::string::npos ? std::string_view(label.text) : std::string_view(label.text).substr(gap + 3);
+    }
+    void title(const Pane& pane, const Label& label, const TitleStyle& style) const {
+        const std::string_view text = title_text(label, style);
+        const ImVec2 size = extent(style.font, text);
+        const float middle = static_cast<float>(pane.rect.origin.x) + static_cast<float>(pane.rect.size.x) / 2;
+        const float top = static_cast<float>(pane.rect.origin.y) + style.top;
+        const ImVec2 low{std::round(middle - size.x / 2 - style.pad), top}, high{std::round(middle + size.x / 2 + style.pad), top + size.y + look_.px(10)};
+        list_.AddRectFilled(low, high, packed(to_imgui(label.color)), (high.y - low.y) / 2);
+        plain(style.font, {middle - size.x / 2, low.y + look_.px(5)}, {1, 1, 1, 1}, text);
     }
 
     void label(const Pane& pane, const Label& label) const {
-        if (label.role == Label::Role::Title) return title(pane, label);
         const glm::vec2 inside = label.pixel - glm::vec2(pane.rect.origin), size_of_pane(pane.rect.size);
         if (inside.x < 0.0f || inside.y < 0.0f || inside.x > size_of_pane.x || inside.y > size_of_pane.y) return;
         const ImFont* font = label.role == Label::Role::Note ? look_.fonts.small : look_.fonts.strong;
@@ -131,11 +150,15 @@ private:
 
 void draw_words(const Look& look, const Frame& frame) {
     const Writer writer(look, frame);
+    const auto titles = writer.title_style(frame);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     for (const Pane& pane : frame.panes) {
         const ImVec2 low(static_cast<float>(pane.rect.origin.x), static_cast<float>(pane.rect.origin.y));
         list.PushClipRect(low, {low.x + static_cast<float>(pane.rect.size.x), low.y + static_cast<float>(pane.rect.size.y)});
-        for (const Label& label : pane.labels) writer.label(pane, label);
+        for (const Label& label : pane.labels) {
+            if (label.role == Label::Role::Title) writer.title(pane, label, titles);
+            else writer.label(pane, label);
+        }
         list.PopClipRect();
     }
 
