@@ -89,14 +89,19 @@ void FileDialog::choose(Requests& requests) {
         return enter(file.has_filename() ? file : file.parent_path());
     }
     if (!saves()) {
-        if (fs::exists(file, error)) finish(file, requests);
-        else complaint_ = shown(file) + ": no such file";
+        if (fs::exists(file, error))
+            finish(file, requests);
+        else
+            complaint_ = shown(file) + ": no such file";
         return;
     }
     if (!file.has_extension()) file += about(purpose_).ending;
-    if (!fs::is_directory(file.parent_path(), error)) complaint_ = shown(file.parent_path()) + ": no such folder";
-    else if (fs::exists(file, error) && to_overwrite_ != file) to_overwrite_ = file;
-    else finish(file, requests);
+    if (!fs::is_directory(file.parent_path(), error))
+        complaint_ = shown(file.parent_path()) + ": no such folder";
+    else if (fs::exists(file, error) && to_overwrite_ != file)
+        to_overwrite_ = file;
+    else
+        finish(file, requests);
 }
 
 void FileDialog::list(const Look& look, Requests& requests) {
@@ -114,7 +119,8 @@ void FileDialog::list(const Look& look, Requests& requests) {
                 const FolderEntry& entry = folder_.entries[static_cast<std::size_t>(i)];
                 ImGui::PushID(i);
                 const ImVec2 at = ImGui::GetCursorScreenPos();
-                const bool pressed = ImGui::Selectable("##entry", !entry.folder && entry.name == name_, ImGuiSelectableFlags_AllowDoubleClick);
+                const bool pressed = ImGui::Selectable("##entry", !entry.folder && entry.name == name_,
+                                                       ImGuiSelectableFlags_AllowDoubleClick);
                 // A folder opens by one click: there is nothing else to do with it.
                 if (pressed && entry.folder) to_enter = resolved(entry.name, folder_.path);
                 if (pressed && !entry.folder) {
@@ -124,7 +130,8 @@ void FileDialog::list(const Look& look, Requests& requests) {
                 }
                 ImDrawList& list = *ImGui::GetWindowDrawList();
                 const float side = ImGui::GetFontSize();
-                draw_icon(list, entry.folder ? Icon::Folder : Icon::File, {at.x + look.px(10), at.y + side / 2}, look.px(15), packed(look.dim));
+                draw_icon(list, entry.folder ? Icon::Folder : Icon::File, {at.x + look.px(10), at.y + side / 2},
+                          look.px(15), packed(look.dim));
                 list.AddText({at.x + look.px(26), at.y}, packed(look.text), entry.name.c_str());
                 ImGui::PopID();
             }
@@ -150,8 +157,9 @@ void FileDialog::draw(const Look& look, ExtraLetters& letters, Requests& request
     ImGui::SetNextWindowSize({std::min(look.px(620), screen.x), 0});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(20), look.px(16)));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, look.px(12));
-    const bool visible = ImGui::BeginPopupModal(kId, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                                                  ImGuiWindowFlags_NoSavedSettings);
+    const bool visible = ImGui::BeginPopupModal(kId, nullptr,
+                                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
     ImGui::PopStyleVar(2);
     if (!visible) {
         open_ = false;  // Escape closes modals that have the keyboard
@@ -162,7 +170,8 @@ void FileDialog::draw(const Look& look, ExtraLetters& letters, Requests& request
     ImGui::TextUnformatted(purpose.title);
     ImGui::PopFont();
 
-    if (icon_button(look, "##parent", Icon::Up, "To the folder above", folder_.path.has_relative_path(), 30)) enter(folder_.path.parent_path());
+    if (icon_button(look, "##parent", Icon::Up, "To the folder above", folder_.path.has_relative_path(), 30))
+        enter(folder_.path.parent_path());
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     dim_text(look, shortened(shown(folder_.path), ImGui::GetContentRegionAvail().x));
@@ -172,7 +181,8 @@ void FileDialog::draw(const Look& look, ExtraLetters& letters, Requests& request
 
     if (std::exchange(focus_name_, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
-    if (ImGui::InputTextWithHint("##name", saves() ? "name, or a path" : "type a name or a path", &name_, ImGuiInputTextFlags_EnterReturnsTrue)) {
+    if (ImGui::InputTextWithHint("##name", saves() ? "name, or a path" : "type a name or a path", &name_,
+                                 ImGuiInputTextFlags_EnterReturnsTrue)) {
         focus_name_ = true;
         choose(requests);
     }
@@ -182,7 +192,8 @@ void FileDialog::draw(const Look& look, ExtraLetters& letters, Requests& request
     }
     if (!open_) return ImGui::EndPopup();
     if (!complaint_.empty() || !to_overwrite_.empty()) {
-        const std::string text = to_overwrite_.empty() ? complaint_ : shown(to_overwrite_.filename()) + " is there already. Overwrite it?";
+        const std::string text =
+            to_overwrite_.empty() ? complaint_ : shown(to_overwrite_.filename()) + " is there already. Overwrite it?";
         ImGui::PushStyleColor(ImGuiCol_Text, look.bad);
         ImGui::PushTextWrapPos(0);
         ImGui::TextUnformatted(text.c_str());

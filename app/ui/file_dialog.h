@@ -31,9 +31,9 @@ private:
     bool open_ = false, appearing_ = false;
     bool all_files_ = false;
     bool focus_name_ = false;
-    bool listed_anew_ = false;            ///< some letters of its names may be missing
+    bool listed_anew_ = false;  ///< some letters of its names may be missing
     Folder folder_;
-    std::string name_;                    ///< typed: a name in the folder, or a path
+    std::string name_;  ///< typed: a name in the folder, or a path
     std::string complaint_;
     std::filesystem::path to_overwrite_;  ///< asked about; empty if not
 };

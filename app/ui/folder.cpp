@@ -43,7 +43,8 @@ Folder read_folder(const fs::path& path, std::span<const std::string_view> endin
         if (name.starts_with('.')) continue;
         std::error_code ignored;  // a link into nowhere is no folder
         const bool folder = it->is_directory(ignored);
-        if (!folder && !endings.empty() && std::ranges::count(endings, lower(shown(it->path().extension()))) == 0) continue;
+        if (!folder && !endings.empty() && std::ranges::count(endings, lower(shown(it->path().extension()))) == 0)
+            continue;
         if (result.entries.size() == kMostEntries) {
             result.cut = true;
             break;
@@ -61,7 +62,9 @@ fs::path resolved(const std::string& typed, const fs::path& folder) {
     const fs::path path(std::u8string(typed.begin(), typed.end()));
     if (typed == "~" || typed.starts_with("~/")) {
         const char* home = std::getenv("HOME");
-        if (home && *home) return (fs::path(home) / fs::path(path.string().substr(std::min<std::size_t>(2, typed.size())))).lexically_normal();
+        if (home && *home)
+            return (fs::path(home) / fs::path(path.string().substr(std::min<std::size_t>(2, typed.size()))))
+                .lexically_normal();
     }
     return (path.is_absolute() ? path : folder / path).lexically_normal();
 }

@@ -18,7 +18,7 @@ struct Folder {
     std::filesystem::path path;
     std::vector<FolderEntry> entries;  ///< folders first, each in alphabetical order; nothing hidden
     std::string error;
-    bool cut = false;                  ///< there were more than are listed
+    bool cut = false;  ///< there were more than are listed
 };
 
 /// Lists a folder's folders and those of its files that end in one of `endings` (lower case, with the dot); all files if

@@ -33,21 +33,14 @@ constexpr Line kLook[]{
     {"Esc", "close what is open"},
 };
 constexpr Line kRulesKeys[]{
-    {"N", "naive: M n"},
-    {"I", "inverse transpose: (M⁻¹)ᵀ n"},
-    {"C", "cofactor: cof(M) n"},
-    {"V", "next view: single, split, overlay"},
-    {"G", "ghost of the object"},
-    {"E", "map of the naive rule's error"},
+    {"N", "naive: M n"},          {"I", "inverse transpose: (M⁻¹)ᵀ n"},
+    {"C", "cofactor: cof(M) n"},  {"V", "next view: single, split, overlay"},
+    {"G", "ghost of the object"}, {"E", "map of the naive rule's error"},
     {"T", "light or dark theme"},
 };
 constexpr Line kWork[]{
-    {"R", "reset the transform"},
-    {"Ctrl Z", "undo"},
-    {"Ctrl Shift Z", "redo (Ctrl+Y, too)"},
-    {"Ctrl O", "open a scene or a mesh"},
-    {"Ctrl S", "save the scene"},
-    {"Ctrl P", "save the picture"},
+    {"R", "reset the transform"},         {"Ctrl Z", "undo"},           {"Ctrl Shift Z", "redo (Ctrl+Y, too)"},
+    {"Ctrl O", "open a scene or a mesh"}, {"Ctrl S", "save the scene"}, {"Ctrl P", "save the picture"},
 };
 
 constexpr float kKeysWidth = 128.0f, kColumnWidth = 376.0f;
@@ -63,12 +56,14 @@ void key_caps(const Look& look, std::string_view keys) {
         std::string key(space == std::string_view::npos ? keys : keys.substr(space + 1));
         keys = space == std::string_view::npos ? std::string_view{} : keys.substr(0, space);
         std::ranges::replace(key, '_', ' ');
-        const float width = std::max(look.fonts.small->CalcTextSizeA(look.fonts.small->FontSize, 1e9f, 0, key.c_str()).x + look.px(12), height);
+        const float width = std::max(
+            look.fonts.small->CalcTextSizeA(look.fonts.small->FontSize, 1e9f, 0, key.c_str()).x + look.px(12), height);
         const ImVec2 low{right - width, at.y + look.px(1)}, high{right, at.y + look.px(1) + height};
         list.AddRectFilled(low, high, packed(look.field), look.px(4));
         list.AddRect(low, high, packed(look.line), look.px(4));
         const float text = look.fonts.small->CalcTextSizeA(look.fonts.small->FontSize, 1e9f, 0, key.c_str()).x;
-        list.AddText(look.fonts.small, look.fonts.small->FontSize, {std::round((low.x + high.x - text) / 2), low.y + look.px(2)}, packed(look.text), key.c_str());
+        list.AddText(look.fonts.small, look.fonts.small->FontSize,
+                     {std::round((low.x + high.x - text) / 2), low.y + look.px(2)}, packed(look.text), key.c_str());
         right = low.x - look.px(4);
     }
 }
@@ -93,7 +88,8 @@ void draw_help(const Look& look, const PixelRect& picture, bool& open) {
     const float width = look.px(2 * kColumnWidth + 3 * 24);
     // In the picture's middle where it fits there, else in the window's.
     const bool fits = static_cast<float>(picture.size.x) > width;
-    const float middle = fits ? static_cast<float>(picture.origin.x) + static_cast<float>(picture.size.x) / 2 : screen.x / 2;
+    const float middle =
+        fits ? static_cast<float>(picture.origin.x) + static_cast<float>(picture.size.x) / 2 : screen.x / 2;
     ImGui::SetNextWindowPos({middle, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0, 0}, {screen.x, screen.y});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(24), look.px(18)));
@@ -101,8 +97,9 @@ void draw_help(const Look& look, const PixelRect& picture, bool& open) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px(8), look.px(4)));
     ImGui::Begin("##help", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_AlwaysAutoResize);
     ImGui::PushFont(look.fonts.title);
     ImGui::TextUnformatted("Mouse and keys");
     ImGui::PopFont();
@@ -121,7 +118,8 @@ void draw_help(const Look& look, const PixelRect& picture, bool& open) {
     ImGui::Dummy({0, look.px(8)});
     block(look, "Working", kWork);
     ImGui::EndGroup();
-    const bool elsewhere = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow);
+    const bool elsewhere =
+        ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow);
     ImGui::End();
     ImGui::PopStyleVar(4);
     if (elsewhere || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) open = false;

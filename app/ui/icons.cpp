@@ -45,8 +45,10 @@ private:
 void turn(Pen& pen, float mirror) {
     pen.path(std::array{ImVec2(mirror * -0.25f, -0.8f), ImVec2(mirror * -0.7f, -0.35f), ImVec2(mirror * -0.25f, 0.1f)});
     pen.line(mirror * -0.7f, -0.35f, mirror * 0.2f, -0.35f);
-    if (mirror > 0) pen.arc(0.2f, 0.15f, 0.5f, -kPi / 2, kPi / 2);
-    else pen.arc(-0.2f, 0.15f, 0.5f, -kPi / 2, -3 * kPi / 2);
+    if (mirror > 0)
+        pen.arc(0.2f, 0.15f, 0.5f, -kPi / 2, kPi / 2);
+    else
+        pen.arc(-0.2f, 0.15f, 0.5f, -kPi / 2, -3 * kPi / 2);
     pen.line(mirror * 0.2f, 0.65f, mirror * -0.25f, 0.65f);
 }
 
@@ -71,28 +73,34 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 col
     Pen pen(list, centre, side, color);
     switch (icon) {
         case Icon::Open:
-            pen.path(std::array{ImVec2(-0.6f, 0.65f), ImVec2(-0.85f, 0.65f), ImVec2(-0.85f, -0.65f), ImVec2(-0.3f, -0.65f),
-                                ImVec2(-0.1f, -0.4f), ImVec2(0.6f, -0.4f), ImVec2(0.6f, -0.1f)});
-            pen.path(std::array{ImVec2(-0.85f, 0.65f), ImVec2(-0.5f, -0.1f), ImVec2(0.95f, -0.1f), ImVec2(0.6f, 0.65f)}, true);
+            pen.path(std::array{ImVec2(-0.6f, 0.65f), ImVec2(-0.85f, 0.65f), ImVec2(-0.85f, -0.65f),
+                                ImVec2(-0.3f, -0.65f), ImVec2(-0.1f, -0.4f), ImVec2(0.6f, -0.4f), ImVec2(0.6f, -0.1f)});
+            pen.path(std::array{ImVec2(-0.85f, 0.65f), ImVec2(-0.5f, -0.1f), ImVec2(0.95f, -0.1f), ImVec2(0.6f, 0.65f)},
+                     true);
             break;
         case Icon::Folder:
-            pen.path(std::array{ImVec2(-0.85f, 0.65f), ImVec2(-0.85f, -0.65f), ImVec2(-0.25f, -0.65f), ImVec2(0.0f, -0.4f),
-                                ImVec2(0.85f, -0.4f), ImVec2(0.85f, 0.65f)}, true);
+            pen.path(std::array{ImVec2(-0.85f, 0.65f), ImVec2(-0.85f, -0.65f), ImVec2(-0.25f, -0.65f),
+                                ImVec2(0.0f, -0.4f), ImVec2(0.85f, -0.4f), ImVec2(0.85f, 0.65f)},
+                     true);
             break;
         case Icon::File:
-            pen.path(std::array{ImVec2(-0.6f, -0.85f), ImVec2(0.2f, -0.85f), ImVec2(0.6f, -0.4f), ImVec2(0.6f, 0.85f), ImVec2(-0.6f, 0.85f)},
+            pen.path(std::array{ImVec2(-0.6f, -0.85f), ImVec2(0.2f, -0.85f), ImVec2(0.6f, -0.4f), ImVec2(0.6f, 0.85f),
+                                ImVec2(-0.6f, 0.85f)},
                      true);
             break;
         case Icon::Save:
-            pen.path(std::array{ImVec2(-0.75f, -0.75f), ImVec2(0.45f, -0.75f), ImVec2(0.75f, -0.45f), ImVec2(0.75f, 0.75f), ImVec2(-0.75f, 0.75f)},
+            pen.path(std::array{ImVec2(-0.75f, -0.75f), ImVec2(0.45f, -0.75f), ImVec2(0.75f, -0.45f),
+                                ImVec2(0.75f, 0.75f), ImVec2(-0.75f, 0.75f)},
                      true);
-            pen.path(std::array{ImVec2(-0.35f, -0.75f), ImVec2(-0.35f, -0.3f), ImVec2(0.3f, -0.3f), ImVec2(0.3f, -0.75f)});
+            pen.path(
+                std::array{ImVec2(-0.35f, -0.75f), ImVec2(-0.35f, -0.3f), ImVec2(0.3f, -0.3f), ImVec2(0.3f, -0.75f)});
             pen.path(std::array{ImVec2(-0.4f, 0.75f), ImVec2(-0.4f, 0.15f), ImVec2(0.4f, 0.15f), ImVec2(0.4f, 0.75f)});
             break;
         case Icon::Picture:
             pen.box(-0.9f, -0.7f, 0.9f, 0.7f);
             pen.circle(-0.4f, -0.25f, 0.16f);
-            pen.path(std::array{ImVec2(-0.85f, 0.5f), ImVec2(-0.35f, 0.1f), ImVec2(-0.05f, 0.35f), ImVec2(0.4f, -0.15f), ImVec2(0.85f, 0.3f)});
+            pen.path(std::array{ImVec2(-0.85f, 0.5f), ImVec2(-0.35f, 0.1f), ImVec2(-0.05f, 0.35f), ImVec2(0.4f, -0.15f),
+                                ImVec2(0.85f, 0.3f)});
             break;
         case Icon::Undo: turn(pen, 1.0f); break;
         case Icon::Redo: turn(pen, -1.0f); break;
@@ -137,19 +145,26 @@ void draw_arrow(ImDrawList& list, ArrowKind kind, ImVec2 from, ImVec2 to, float 
     const float dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
     if (length <= 0.0f) return;
     const ImVec2 along(dx / length, dy / length), across(-along.y, along.x);
-    const auto at = [&](float t, float s) { return ImVec2(from.x + along.x * t + across.x * s, from.y + along.y * t + across.y * s); };
+    const auto at = [&](float t, float s) {
+        return ImVec2(from.x + along.x * t + across.x * s, from.y + along.y * t + across.y * s);
+    };
     const float head = std::min(0.5f * length, 3.6f * thickness), neck = length - head, half = 1.7f * thickness;
 
     if (kind == ArrowKind::Naive) {
         const float dash = neck / 5.0f;
-        for (int i = 0; i < 5; i += 2) list.AddLine(at(static_cast<float>(i) * dash, 0), at(static_cast<float>(i + 1) * dash, 0), color, thickness);
+        for (int i = 0; i < 5; i += 2)
+            list.AddLine(at(static_cast<float>(i) * dash, 0), at(static_cast<float>(i + 1) * dash, 0), color,
+                         thickness);
     } else if (kind == ArrowKind::Cofactor) {
-        for (const float side : {-0.6f, 0.6f}) list.AddLine(at(0, side * thickness), at(neck, side * thickness), color, 0.6f * thickness);
+        for (const float side : {-0.6f, 0.6f})
+            list.AddLine(at(0, side * thickness), at(neck, side * thickness), color, 0.6f * thickness);
     } else {
         list.AddLine(at(0, 0), at(neck, 0), color, kind == ArrowKind::Object ? 0.6f * thickness : thickness);
     }
-    if (kind == ArrowKind::Object) list.AddTriangle(at(neck, -half), at(neck, half), at(length, 0), color, 0.6f * thickness);
-    else list.AddTriangleFilled(at(neck, -half), at(length, 0), at(neck, half), color);
+    if (kind == ArrowKind::Object)
+        list.AddTriangle(at(neck, -half), at(neck, half), at(length, 0), color, 0.6f * thickness);
+    else
+        list.AddTriangleFilled(at(neck, -half), at(length, 0), at(neck, half), color);
 }
 
 }  // namespace normalscope

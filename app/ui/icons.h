@@ -5,7 +5,27 @@
 
 namespace normalscope {
 
-enum class Icon { Open, Save, Picture, Undo, Redo, Help, Sun, Moon, Up, Down, Right, Close, Plus, LockOpen, LockClosed, Reset, Grip, Folder, File };
+enum class Icon {
+    Open,
+    Save,
+    Picture,
+    Undo,
+    Redo,
+    Help,
+    Sun,
+    Moon,
+    Up,
+    Down,
+    Right,
+    Close,
+    Plus,
+    LockOpen,
+    LockClosed,
+    Reset,
+    Grip,
+    Folder,
+    File
+};
 
 /// Draws an icon into the square of this side about `centre`, in lines of one weight.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 color);

@@ -93,11 +93,18 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     std::vector<StackEntry> before = scene.stack;
     draw_words(frame);
     if (s.panel_shown)
-        draw_panel(scene, s.panel, {.look = s.look, .frame = frame, .status = status, .requests = requests, .dialog = s.dialog, .help = s.help});
+        draw_panel(scene, s.panel,
+                   {.look = s.look,
+                    .frame = frame,
+                    .status = status,
+                    .requests = requests,
+                    .dialog = s.dialog,
+                    .help = s.help});
     const bool help = s.help;
     draw_help(s.look, frame.rect, s.help);
     s.dialog.draw(s.look, s.letters, requests);
-    if (!help && !s.dialog.is_open() && !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGuiKey_Escape, false)) s.messages.dismiss();
+    if (!help && !s.dialog.is_open() && !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGuiKey_Escape, false))
+        s.messages.dismiss();
     if (scene.stack != before) undo_overflow(scene, before, s.messages);
     s.letters.want(s.messages.text(), s.look.fonts.body);
     s.letters.want(status.file, s.look.fonts.body);

@@ -15,8 +15,8 @@ namespace normalscope {
 struct Requests {
     bool undo = false, redo = false;
     bool full_screen = false, quit = false;
-    std::optional<std::string> open;                  ///< a scene, a mesh, or a built-in scene's name
-    std::optional<std::string> open_mesh;             ///< a mesh as the scene's surface, all else kept
+    std::optional<std::string> open;       ///< a scene, a mesh, or a built-in scene's name
+    std::optional<std::string> open_mesh;  ///< a mesh as the scene's surface, all else kept
     std::optional<std::filesystem::path> save_scene;
     std::optional<std::filesystem::path> save_picture;
 };

@@ -24,8 +24,8 @@ public:
 private:
     std::string text_;
     bool error_ = false;
-    bool fresh_ = false;   ///< shown since the last draw: the time counts from when it is first seen
-    double since_ = 0.0;   ///< ImGui::GetTime
+    bool fresh_ = false;  ///< shown since the last draw: the time counts from when it is first seen
+    double since_ = 0.0;  ///< ImGui::GetTime
     double now_ = 0.0;
 };
 

@@ -18,8 +18,10 @@ std::string typeset(const char* text) {
     bool nonzero = false;
     for (const char* c = text; *c && *c != 'e'; ++c) nonzero |= *c >= '1' && *c <= '9';
     for (const char* c = text; *c; ++c) {
-        if (*c == '-') result += c == text && !nonzero ? "" : kMinus;
-        else if (*c != '+') result += *c;
+        if (*c == '-')
+            result += c == text && !nonzero ? "" : kMinus;
+        else if (*c != '+')
+            result += *c;
     }
     return result;
 }
@@ -49,7 +51,8 @@ std::string fixed(double value, int decimals) {
 std::string fixed(const std::optional<double>& value, int decimals) { return value ? fixed(*value, decimals) : kNone; }
 
 std::string fixed_unless_small(double value, bool zero, int decimals) {
-    if (zero || !std::isfinite(value) || std::abs(value) >= 0.5 * std::pow(10.0, -decimals)) return fixed(value, decimals);
+    if (zero || !std::isfinite(value) || std::abs(value) >= 0.5 * std::pow(10.0, -decimals))
+        return fixed(value, decimals);
     return scientific(value);
 }
 

@@ -12,7 +12,8 @@ namespace {
 void scene_menu(PanelMemory& memory, const PanelContext& context, float width) {
     const Look& look = context.look;
     const std::string& file = context.status.file;
-    if (!begin_combo(look, "##scenes", file.empty() ? "scenes" : std::filesystem::path(file).filename().string(), width)) {
+    if (!begin_combo(look, "##scenes", file.empty() ? "scenes" : std::filesystem::path(file).filename().string(),
+                     width)) {
         tip(look, "Built-in scenes to start from.");
         return;
     }
@@ -32,15 +33,19 @@ void toolbar(Scene& scene, PanelMemory& memory, const PanelContext& context) {
     const float side = look.px(30), gap = look.px(2);
     scene_menu(memory, context, ImGui::GetContentRegionAvail().x - kIcons * (side + gap) - look.px(4));
     ImGui::SameLine(0, look.px(4) + gap);
-    if (icon_button(look, "##open", Icon::Open, "Open a scene or a mesh… (Ctrl+O)")) context.dialog.open(FileDialog::For::OpenAny);
+    if (icon_button(look, "##open", Icon::Open, "Open a scene or a mesh… (Ctrl+O)"))
+        context.dialog.open(FileDialog::For::OpenAny);
     ImGui::SameLine(0, gap);
-    if (icon_button(look, "##save", Icon::Save, "Save the scene… (Ctrl+S)")) context.dialog.open(FileDialog::For::SaveScene);
+    if (icon_button(look, "##save", Icon::Save, "Save the scene… (Ctrl+S)"))
+        context.dialog.open(FileDialog::For::SaveScene);
     ImGui::SameLine(0, gap);
-    if (icon_button(look, "##picture", Icon::Picture, "Save the picture… (Ctrl+P)")) context.dialog.open(FileDialog::For::SavePicture);
+    if (icon_button(look, "##picture", Icon::Picture, "Save the picture… (Ctrl+P)"))
+        context.dialog.open(FileDialog::For::SavePicture);
     ImGui::SameLine(0, gap);
     if (icon_button(look, "##undo", Icon::Undo, "Undo (Ctrl+Z)", context.status.can_undo)) context.requests.undo = true;
     ImGui::SameLine(0, gap);
-    if (icon_button(look, "##redo", Icon::Redo, "Redo (Ctrl+Shift+Z)", context.status.can_redo)) context.requests.redo = true;
+    if (icon_button(look, "##redo", Icon::Redo, "Redo (Ctrl+Shift+Z)", context.status.can_redo))
+        context.requests.redo = true;
     ImGui::SameLine(0, gap);
     const bool dark = scene.theme == Theme::Dark;
     if (icon_button(look, "##theme", dark ? Icon::Sun : Icon::Moon, dark ? "Light theme (T)" : "Dark theme (T)"))
@@ -60,11 +65,14 @@ void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context) 
                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar(2);
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
-    ImGui::GetWindowDrawList()->AddLine({low.x + size.x - 1, low.y}, {low.x + size.x - 1, low.y + size.y}, packed(look.line));
+    ImGui::GetWindowDrawList()->AddLine({low.x + size.x - 1, low.y}, {low.x + size.x - 1, low.y + size.y},
+                                        packed(look.line));
 
     // What a lecture switches all the time stays where it is; the rest scrolls.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(16), look.px(10)));
-    const bool always = ImGui::BeginChild("##always", {size.x - 1, 0}, ImGuiChildFlags_AlwaysUseWindowPadding | ImGuiChildFlags_AutoResizeY, ImGuiWindowFlags_NavFlattened);
+    const bool always = ImGui::BeginChild("##always", {size.x - 1, 0},
+                                          ImGuiChildFlags_AlwaysUseWindowPadding | ImGuiChildFlags_AutoResizeY,
+                                          ImGuiWindowFlags_NavFlattened);
     ImGui::PopStyleVar();
     if (always) {
         toolbar(scene, memory, context);
@@ -78,7 +86,7 @@ void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context) 
     const float bar = ImGui::GetStyle().ScrollbarSize, right = look.px(16) - bar;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(right, 0));
     const bool rest = ImGui::BeginChild("##rest", {size.x - 1, 0}, ImGuiChildFlags_AlwaysUseWindowPadding,
-                          ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_AlwaysVerticalScrollbar);
+                                        ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_AlwaysVerticalScrollbar);
     ImGui::PopStyleVar();
     if (rest) {
         ImGui::Indent(look.px(16) - right);

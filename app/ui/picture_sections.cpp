@@ -22,12 +22,15 @@ std::vector<ArrowKind> seen_arrows(const Scene& scene, const Frame& frame) {
     return seen;
 }
 
-void push_small_boxes(const Look& look) { ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(4), look.px(1))); }
+void push_small_boxes(const Look& look) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(4), look.px(1)));
+}
 
 void arrow_kinds(const Look& look, Scene& scene, const Frame& frame) {
     static constexpr std::array<const char*, 4> kLabels{"object's n", "M n", "(M⁻¹)ᵀ n", "cof(M) n"};
-    static constexpr std::array<const char*, 4> kAbout{"The untransformed normals, on the ghost of the untransformed object.",
-                                                       "The naive rule's arrows.", "The inverse transpose's arrows.", "The cofactor matrix's arrows."};
+    static constexpr std::array<const char*, 4> kAbout{
+        "The untransformed normals, on the ghost of the untransformed object.", "The naive rule's arrows.",
+        "The inverse transpose's arrows.", "The cofactor matrix's arrows."};
     const std::vector<ArrowKind> seen = seen_arrows(scene, frame);
     const float half = ImGui::GetContentRegionAvail().x / 2, left = ImGui::GetCursorPosX();
     push_small_boxes(look);
@@ -43,7 +46,8 @@ void arrow_kinds(const Look& look, Scene& scene, const Frame& frame) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float y = at.y + ImGui::GetFrameHeight() / 2;
         const glm::vec3 color = arrow_color(kind, look.theme);
-        draw_arrow(*ImGui::GetWindowDrawList(), kind, {at.x, y}, {at.x + look.px(26), y}, look.px(3), packed(to_imgui(color)));
+        draw_arrow(*ImGui::GetWindowDrawList(), kind, {at.x, y}, {at.x + look.px(26), y}, look.px(3),
+                   packed(to_imgui(color)));
         ImGui::SetCursorScreenPos({at.x + look.px(33), at.y});
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(kLabels[i]);
@@ -79,30 +83,46 @@ void arrows_section(Scene& scene, const PanelContext& context) {
     if (!open) return;
 
     arrow_kinds(look, scene, context.frame);
-    static constexpr std::array<Choice, 2> kPlaces{{{"at vertices", "An arrow at each vertex; the surface is shaded smoothly."},
-                                                    {"at faces", "An arrow at each face's middle; the faces are shaded flat."}}};
+    static constexpr std::array<Choice, 2> kPlaces{
+        {{"at vertices", "An arrow at each vertex; the surface is shaded smoothly."},
+         {"at faces", "An arrow at each face's middle; the faces are shaded flat."}}};
     int at = static_cast<int>(scene.arrows.at);
     const float width = ImGui::GetContentRegionAvail().x, gap = look.px(6), half = std::floor((width - gap) / 2);
     ImGui::SetNextItemWidth(width);
     if (segmented(look, "at", at, kPlaces)) scene.arrows.at = static_cast<ArrowPlacement>(at);
     ImGui::SetNextItemWidth(width);
     number_bar(look, "##length", scene.arrows.length,
-               {.letter = "length", .low = 0.01, .high = 0.5, .zero = 0.01, .range = {0.001, 10}, .about = "In diameters of the object."});
+               {.letter = "length",
+                .low = 0.01,
+                .high = 0.5,
+                .zero = 0.01,
+                .range = {0.001, 10},
+                .about = "In diameters of the object."});
     ImGui::SetNextItemWidth(half);
     number_bar(look, "##every", scene.arrows.every,
-               {.letter = "every n-th", .low = 1, .high = 32, .zero = 1, .range = {1, 1e9}, .about = "Every n-th vertex or face has an arrow."});
+               {.letter = "every n-th",
+                .low = 1,
+                .high = 32,
+                .zero = 1,
+                .range = {1, 1e9},
+                .about = "Every n-th vertex or face has an arrow."});
     ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(half);
     number_bar(look, "##limit", scene.arrows.limit,
-               {.letter = "at most", .low = 0, .high = 1000, .range = {0, 1e6}, .about = "At most so many of a kind, spread evenly."});
+               {.letter = "at most",
+                .low = 0,
+                .high = 1000,
+                .range = {0, 1e6},
+                .about = "At most so many of a kind, spread evenly."});
 }
 
 void picture_section(Scene& scene, const PanelContext& context) {
     const Look& look = context.look;
     if (!section(look, "Picture")) return;
     const float width = ImGui::GetContentRegionAvail().x, gap = look.px(6), half = std::floor((width - gap) / 2);
-    static constexpr std::array<Choice, 2> kColors{{{"light", "Shaded with the chosen rule's normals: wrong normals show as wrong light."},
-                                                    {"error map", "Coloured by the angle between M n and (M⁻¹)ᵀ n. (E)"}}};
+    static constexpr std::array<Choice, 2> kColors{
+        {{"light", "Shaded with the chosen rule's normals: wrong normals show as wrong light."},
+         {"error map", "Coloured by the angle between M n and (M⁻¹)ᵀ n. (E)"}}};
     int color = static_cast<int>(scene.color);
     ImGui::SetNextItemWidth(width);
     if (segmented(look, "color", color, kColors)) scene.color = static_cast<SurfaceColor>(color);
@@ -127,12 +147,25 @@ void picture_section(Scene& scene, const PanelContext& context) {
     dim_text(look, "light from");
     ImGui::SetNextItemWidth(half);
     number_bar(look, "##azimuth", scene.light.azimuth,
-               {.letter = "azimuth", .low = -180, .high = 180, .step = 1, .decimals = 0, .unit = "°", .range = kDegrees,
+               {.letter = "azimuth",
+                .low = -180,
+                .high = 180,
+                .step = 1,
+                .decimals = 0,
+                .unit = "°",
+                .range = kDegrees,
                 .about = "To the right of looking along −z. Shift+drag in the picture moves the light, too."});
     ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(half);
     number_bar(look, "##elevation", scene.light.elevation,
-               {.letter = "elevation", .low = -90, .high = 90, .step = 1, .decimals = 0, .unit = "°", .range = {-90, 90}, .about = "Above the horizon."});
+               {.letter = "elevation",
+                .low = -90,
+                .high = 90,
+                .step = 1,
+                .decimals = 0,
+                .unit = "°",
+                .range = {-90, 90},
+                .about = "Above the horizon."});
 }
 
 }  // namespace normalscope

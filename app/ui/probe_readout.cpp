@@ -47,8 +47,8 @@ void heading(const Look& look, const Columns& c, std::string_view first, std::sp
 }
 
 // One line: a name, three coordinates, and for normals the length.
-void coordinates(const Look& look, const Columns& c, const char* what, const ImVec4& color, const std::optional<glm::dvec3>& v, bool length,
-                 const char* about) {
+void coordinates(const Look& look, const Columns& c, const char* what, const ImVec4& color,
+                 const std::optional<glm::dvec3>& v, bool length, const char* about) {
     ImGui::BeginGroup();
     ImGui::SetCursorPosX(c.left);
     ImGui::TextColored(color, "%s", what);
@@ -77,7 +77,8 @@ void where_and_whither(const Look& look, const ProbeInWorld& probe) {
     static constexpr std::array<const char*, 3> kAbout{
         "M n, as it comes, before it is normalised. Not a normal unless M is rigid, or nearly.",
         "(M⁻¹)ᵀ n, as it comes, before it is normalised. A dot product for shading needs it at length 1.",
-        "cof(M) n = det(M) (M⁻¹)ᵀ n, as it comes. Its length is the factor by which M changes the surface's area here."};
+        "cof(M) n = det(M) (M⁻¹)ᵀ n, as it comes. Its length is the factor by which M changes the surface's area "
+        "here."};
     for (std::size_t i = 0; i < kRules.size(); ++i) {
         const std::string what(formula(kRules[i]));
         std::optional<glm::dvec3> n;
@@ -101,7 +102,9 @@ void dots(const Look& look, const ProbeInWorld& probe) {
     const Columns c = columns(look.px(88), 3);
     static constexpr std::array<std::string_view, 3> kWords{"n · t₁", "n · t₂", "off by"};
     heading(look, c, "still ⊥ ?", kWords);
-    tip(look, "t₁ and t₂ are tangents of the surface, carried along by M. A normal is what stays perpendicular to both: n · t = 0.");
+    tip(look,
+        "t₁ and t₂ are tangents of the surface, carried along by M. A normal is what stays perpendicular to both: n · "
+        "t = 0.");
     const auto& truth = probe.normals[static_cast<std::size_t>(Rule::InverseTranspose)];
     for (std::size_t i = 0; i < kRules.size(); ++i) {
         ImGui::BeginGroup();
@@ -111,7 +114,8 @@ void dots(const Look& look, const ProbeInWorld& probe) {
         const bool any = n && probe.dots[i] && glm::length(n->xyz) > 0.0;
         for (std::size_t k = 0; k < 2; ++k) {
             if (any) {
-                dot_cell(look, (*probe.dots[i])[k], glm::length(n->xyz) * glm::length(probe.tangents[k].xyz), c.right[k]);
+                dot_cell(look, (*probe.dots[i])[k], glm::length(n->xyz) * glm::length(probe.tangents[k].xyz),
+                         c.right[k]);
             } else {
                 ImGui::SameLine();
                 text_right(fixed(std::nullopt), c.right[k] - look.px(19));
@@ -121,10 +125,10 @@ void dots(const Look& look, const ProbeInWorld& probe) {
         const auto off = any && truth ? angle_degrees(n->xyz, truth->xyz) : std::nullopt;
         text_right(in_degrees(off), c.right[2]);
         ImGui::EndGroup();
-        tip(look, kRules[i] == Rule::Cofactor
-                      ? "180° under a reflection: the cofactor follows the winding, which the mirror has turned over, the inverse "
-                        "transpose keeps pointing outward. Each is right for its own question."
-                      : "The two dot products with the tangents, and the angle to (M⁻¹)ᵀ n.");
+        tip(look, kRules[i] == Rule::Cofactor ? "180° under a reflection: the cofactor follows the winding, which the "
+                                                "mirror has turned over, the inverse "
+                                                "transpose keeps pointing outward. Each is right for its own question."
+                                              : "The two dot products with the tangents, and the angle to (M⁻¹)ᵀ n.");
     }
 }
 
@@ -142,14 +146,16 @@ void over_the_surface(const Look& look, const Scene& scene, const std::optional<
         std::optional<double> value;
         const char* about;
     };
-    const std::array<Figure, 3> figures{{{"worst", worst, "The naive rule's largest error over the normals of the surface as drawn."},
-                                         {"mean", mean, "The naive rule's error, averaged over the normals of the surface as drawn."},
-                                         {"bound", bound,
-                                          "atan k − atan 1/k with k = σ₁/σ₃: the largest error that this M can cause on any surface "
-                                          "(Kantorovich's inequality)."}}};
+    const std::array<Figure, 3> figures{
+        {{"worst", worst, "The naive rule's largest error over the normals of the surface as drawn."},
+         {"mean", mean, "The naive rule's error, averaged over the normals of the surface as drawn."},
+         {"bound", bound,
+          "atan k − atan 1/k with k = σ₁/σ₃: the largest error that this M can cause on any surface "
+          "(Kantorovich's inequality)."}}};
     dim_text(look, "naive rule's error, over the whole surface");
     const ImVec2 from = ImGui::GetCursorScreenPos();
-    const float gap = look.px(6), width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3), height = look.px(46);
+    const float gap = look.px(6), width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3),
+                height = look.px(46);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     for (std::size_t i = 0; i < figures.size(); ++i) {
         const ImVec2 low{from.x + (width + gap) * static_cast<float>(i), from.y}, high{low.x + width, low.y + height};
@@ -161,7 +167,9 @@ void over_the_surface(const Look& look, const Scene& scene, const std::optional<
         const std::string text = in_degrees(figures[i].value);
         const ImFont* font = look.fonts.body;
         const float text_width = font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.c_str()).x;
-        list.AddText(font, font->FontSize, {std::round(high.x - text_width - look.px(8)), high.y - font->FontSize - look.px(3)}, packed(look.text), text.c_str());
+        list.AddText(font, font->FontSize,
+                     {std::round(high.x - text_width - look.px(8)), high.y - font->FontSize - look.px(3)},
+                     packed(look.text), text.c_str());
     }
     ImGui::SetCursorScreenPos({from.x, from.y + height});
     ImGui::Dummy({0, 0});

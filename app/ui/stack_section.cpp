@@ -38,7 +38,8 @@ void add_menu(const Look& look, Scene& scene, StackMemory& memory) {
     ImGui::BeginDisabled(full);
     if (ImGui::Button("Add…")) ImGui::OpenPopup("add");
     ImGui::EndDisabled();
-    tip(look, full ? "There can be at most 200 transforms." : "Add a transform, which acts after those that are there.");
+    tip(look,
+        full ? "There can be at most 200 transforms." : "Add a transform, which acts after those that are there.");
     if (!ImGui::BeginPopup("add")) return;
     const auto item = [&](const char* label, const char* about, const StackEntry& entry) {
         if (ImGui::MenuItem(label)) {
@@ -104,21 +105,27 @@ bool entry_header(const Look& look, std::size_t i, Scene& scene, StackMemory& me
     draw_icon(list, Icon::Grip, {from.x + look.px(7), middle}, look.px(13), packed(look.dim));
     const std::string number = std::to_string(i + 1), kind(name(entry));
     list.AddText({from.x + look.px(18), y}, packed(look.dim), number.c_str());
-    list.AddText(look.fonts.strong, look.fonts.strong->FontSize, {from.x + look.px(i < 9 ? 34 : 42), y}, packed(look.text), kind.c_str());
+    list.AddText(look.fonts.strong, look.fonts.strong->FontSize, {from.x + look.px(i < 9 ? 34 : 42), y},
+                 packed(look.text), kind.c_str());
     if (folded) {
-        const float start = look.px(i < 9 ? 34 : 42) + look.fonts.strong->CalcTextSizeA(look.fonts.strong->FontSize, 1e9f, 0, kind.c_str()).x + look.px(10);
+        const float start = look.px(i < 9 ? 34 : 42) +
+                            look.fonts.strong->CalcTextSizeA(look.fonts.strong->FontSize, 1e9f, 0, kind.c_str()).x +
+                            look.px(10);
         list.AddText({from.x + start, y}, packed(look.dim), shortened(summary(entry), width - start).c_str());
     }
 
     if (!folded && scale) {
         ImGui::SameLine(0, gap);
         if (icon_button(look, "##lock", memory.lock_scale ? Icon::LockClosed : Icon::LockOpen,
-                        memory.lock_scale ? "Locked: the three factors keep their proportions." : "Lock the proportions of the three factors.", true, side))
+                        memory.lock_scale ? "Locked: the three factors keep their proportions."
+                                          : "Lock the proportions of the three factors.",
+                        true, side))
             memory.lock_scale = !memory.lock_scale;
     }
     if (!folded) {
         ImGui::SameLine(0, gap);
-        if (icon_button(look, "##reset", Icon::Reset, "Make this transform do nothing.", true, side)) entry = neutral(entry);
+        if (icon_button(look, "##reset", Icon::Reset, "Make this transform do nothing.", true, side))
+            entry = neutral(entry);
     }
     ImGui::SameLine(0, gap);
     if (icon_button(look, "##up", Icon::Up, "Act earlier.", i > 0, side)) change = {i, i - 1};
@@ -152,7 +159,8 @@ void entry_card(const Look& look, std::size_t i, Scene& scene, StackMemory& memo
     list.AddRectFilled(low, high, packed(look.card), look.px(8));
     list.ChannelsMerge();
     if (ImGui::BeginDragDropTarget()) {
-        if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kPayload)) change = {*static_cast<const std::size_t*>(payload->Data), i};
+        if (const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(kPayload))
+            change = {*static_cast<const std::size_t*>(payload->Data), i};
         ImGui::EndDragDropTarget();
     }
     ImGui::PopID();
@@ -186,11 +194,13 @@ void what_m_is(const Look& look, const Scene& scene) {
     const float left = look.px(38);
     const float height = 4 * (ImGui::GetTextLineHeight() + look.px(3)) + look.px(6);
     ImGui::GetWindowDrawList()->AddText(look.fonts.strong, look.fonts.strong->FontSize,
-                                        {from.x, from.y + (height - look.fonts.strong->FontSize) / 2}, packed(look.text), "M =");
+                                        {from.x, from.y + (height - look.fonts.strong->FontSize) / 2},
+                                        packed(look.text), "M =");
     ImGui::SetCursorScreenPos({from.x + left, from.y});
     matrix_in_brackets(look, m.matrix(), ImGui::GetContentRegionAvail().x);
-    tip(look, "The product of the transforms, the first of which stands rightmost: M = last … first. "
-              "Vectors have w = 0, so that only the marked M₃ moves them, and only it decides what becomes of normals.");
+    tip(look,
+        "The product of the transforms, the first of which stands rightmost: M = last … first. "
+        "Vectors have w = 0, so that only the marked M₃ moves them, and only it decides what becomes of normals.");
     const float width = ImGui::GetContentRegionAvail().x, start = ImGui::GetCursorPosX();
     const auto figure = [&](float at, const char* label, const std::string& value, const char* about) {
         ImGui::SetCursorPosX(start + at * width);
@@ -206,11 +216,13 @@ void what_m_is(const Look& look, const Scene& scene) {
     figure(0.36f, "rank", std::to_string(normals.rank), "How many dimensions are left: 3 where M has an inverse.");
     ImGui::SameLine();
     figure(0.60f, "σ₁/σ₃", fixed(normals.condition()),
-           "The largest stretch over the smallest (of M₃'s singular values). 1 for rigid maps and uniform scales: there the naive "
+           "The largest stretch over the smallest (of M₃'s singular values). 1 for rigid maps and uniform scales: "
+           "there the naive "
            "rule's direction is right. The larger it is, the farther off the naive rule can be.");
     ImGui::PopFont();
     if (normals.rank == 3) return;
-    notice(look, normals.rank == 2 ? "M has no inverse: it flattens the object. The inverse transpose does not exist; the cofactor still gives the normal."
+    notice(look, normals.rank == 2 ? "M has no inverse: it flattens the object. The inverse transpose does not exist; "
+                                     "the cofactor still gives the normal."
                                    : "M has no inverse: it leaves no surface, so that there is no normal by any rule.");
 }
 

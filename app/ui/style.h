@@ -16,11 +16,11 @@ struct Look {
     float scale = 1.0f;  ///< physical pixels per logical one
     Fonts fonts;
 
-    ImVec4 text, dim;               ///< what is said, and what is said beside it
-    ImVec4 panel, card, field;      ///< from back to front
-    ImVec4 line;                    ///< borders, rules
-    ImVec4 accent, on_accent;       ///< what is chosen; neutral, as every hue has its meaning already
-    ImVec4 good, bad;               ///< perpendicular, or not
+    ImVec4 text, dim;           ///< what is said, and what is said beside it
+    ImVec4 panel, card, field;  ///< from back to front
+    ImVec4 line;                ///< borders, rules
+    ImVec4 accent, on_accent;   ///< what is chosen; neutral, as every hue has its meaning already
+    ImVec4 good, bad;           ///< perpendicular, or not
 
     /// Logical pixels to physical ones, whole so that edges are sharp.
     float px(float logical) const;

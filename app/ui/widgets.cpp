@@ -40,7 +40,8 @@ bool section(const Look& look, const char* title, bool open_at_first) {
     ImGui::PopStyleColor();
     const float middle = low.y + height / 2;
     draw_icon(list, open ? Icon::Down : Icon::Right, {low.x + look.px(6), middle}, look.px(12), packed(look.dim));
-    list.AddText(look.fonts.strong, look.fonts.strong->FontSize, {low.x + look.px(18), middle - look.fonts.strong->FontSize / 2}, packed(look.text), title);
+    list.AddText(look.fonts.strong, look.fonts.strong->FontSize,
+                 {low.x + look.px(18), middle - look.fonts.strong->FontSize / 2}, packed(look.text), title);
     return open;
 }
 
@@ -49,7 +50,8 @@ bool begin_combo(const Look& look, const char* id, const std::string& current, f
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetFrameHeight();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const bool open = ImGui::BeginCombo(id, shortened(current, width - look.px(38)).c_str(), ImGuiComboFlags_HeightLargest | ImGuiComboFlags_NoArrowButton);
+    const bool open = ImGui::BeginCombo(id, shortened(current, width - look.px(38)).c_str(),
+                                        ImGuiComboFlags_HeightLargest | ImGuiComboFlags_NoArrowButton);
     draw_icon(list, Icon::Down, {at.x + width - look.px(15), at.y + height / 2}, look.px(12), packed(look.dim));
     return open;
 }
@@ -104,7 +106,8 @@ void draw_bar(const Look& look, double value, const NumberBar& bar) {
 
 void bar_tip(const Look& look, const NumberBar& bar) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip) || ImGui::IsItemActive()) return;
-    const std::string text = std::string(bar.about) + (*bar.about ? "\n" : "") + "Drag to change (Alt: slowly), double-click or Ctrl+click to type.";
+    const std::string text = std::string(bar.about) + (*bar.about ? "\n" : "") +
+                             "Drag to change (Alt: slowly), double-click or Ctrl+click to type.";
     tip(look, text.c_str());
 }
 
@@ -117,21 +120,24 @@ bool number_bar(const Look& look, const char* id, double& value, const NumberBar
     const bool typing = ImGui::TempInputIsActive(ImGui::GetID(id));
     const bool dragging = !typing && ImGui::GetActiveID() == ImGui::GetID(id);
     // While dragged, the format tells what to round to; when typing begins, it tells how many digits to show.
-    const std::string format = dragging ? "%." + std::to_string(std::max(0, static_cast<int>(std::lround(-std::log10(bar.step))))) + "f" : "%.6g";
+    const std::string format =
+        dragging ? "%." + std::to_string(std::max(0, static_cast<int>(std::lround(-std::log10(bar.step))))) + "f"
+                 : "%.6g";
     const Track track = track_of(look, bar, width);
-    const double speed = has_bar ? (bar.high - bar.low) / std::max(1.0f, track.right - track.left) : bar.step / look.scale;
+    const double speed =
+        has_bar ? (bar.high - bar.low) / std::max(1.0f, track.right - track.left) : bar.step / look.scale;
     const bool inside = has_bar && value >= bar.low && value <= bar.high;
     const double low = inside ? bar.low : bar.range.low, high = inside ? bar.high : bar.range.high;
 
     // Its own text would have a hyphen for a minus and hang in the middle.
     ImGui::PushStyleColor(ImGuiCol_Text, typing ? look.text : ImVec4(0, 0, 0, 0));
-    bool changed = ImGui::DragScalar(id, ImGuiDataType_Double, &value, static_cast<float>(speed), &low, &high, format.c_str(),
-                                     ImGuiSliderFlags_None);
+    bool changed = ImGui::DragScalar(id, ImGuiDataType_Double, &value, static_cast<float>(speed), &low, &high,
+                                     format.c_str(), ImGuiSliderFlags_None);
     ImGui::PopStyleColor();
     if (!ImGui::TempInputIsActive(ImGui::GetID(id))) draw_bar(look, value, bar);
     bar_tip(look, bar);
     if (!changed) return false;
-    if (!std::isfinite(value)) value = before;  // "nan" and "1e999" can be typed
+    if (!std::isfinite(value)) value = before;                       // "nan" and "1e999" can be typed
     value = std::clamp(value, bar.range.low, bar.range.high) + 0.0;  // + 0: not −0
     return value != before;
 }
@@ -154,7 +160,8 @@ bool icon_button(const Look& look, const char* id, Icon icon, const char* about,
     const bool pressed = ImGui::Button(id, {look.px(side), look.px(side)});
     ImGui::PopStyleColor();
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    draw_icon(*ImGui::GetWindowDrawList(), icon, {(low.x + high.x) / 2, (low.y + high.y) / 2}, look.px(side * 0.56f), packed(look.text));
+    draw_icon(*ImGui::GetWindowDrawList(), icon, {(low.x + high.x) / 2, (low.y + high.y) / 2}, look.px(side * 0.56f),
+              packed(look.text));
     ImGui::EndDisabled();
     tip(look, about);
     return pressed;
@@ -165,7 +172,8 @@ bool segmented(const Look& look, const char* id, int& chosen, std::span<const Ch
     const float height = ImGui::GetFrameHeight() + look.px(2), inset = look.px(2);
     const float width = (ImGui::CalcItemWidth() - 2 * inset) / static_cast<float>(choices.size());
     const ImVec2 from = ImGui::GetCursorScreenPos();
-    ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + ImGui::CalcItemWidth(), from.y + height}, packed(look.field), look.px(7));
+    ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + ImGui::CalcItemWidth(), from.y + height},
+                                              packed(look.field), look.px(7));
     bool changed = false;
     ImGui::BeginGroup();
     for (std::size_t i = 0; i < choices.size(); ++i) {
@@ -214,7 +222,8 @@ void matrix_in_brackets(const Look& look, const glm::dmat4& m, float width) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float row = ImGui::GetTextLineHeight() + look.px(3), pad = look.px(6);
-    const float height = 4 * row + pad, column = (width - 2 * pad) / 4, lip = look.px(5), weight = std::max(1.0f, look.px(1.25f));
+    const float height = 4 * row + pad, column = (width - 2 * pad) / 4, lip = look.px(5),
+                weight = std::max(1.0f, look.px(1.25f));
     for (const float side : {0.0f, 1.0f}) {
         const float x = from.x + side * width, inward = side == 0.0f ? lip : -lip;
         list.PathLineTo({x + inward, from.y});
@@ -223,13 +232,15 @@ void matrix_in_brackets(const Look& look, const glm::dmat4& m, float width) {
         list.PathLineTo({x + inward, from.y + height});
         list.PathStroke(packed(look.text), 0, weight);
     }
-    list.AddRectFilled({from.x + pad, from.y + pad / 2}, {from.x + pad + 3 * column + look.px(3), from.y + pad / 2 + 3 * row},
-                       packed(look.field), look.px(5));
+    list.AddRectFilled({from.x + pad, from.y + pad / 2},
+                       {from.x + pad + 3 * column + look.px(3), from.y + pad / 2 + 3 * row}, packed(look.field),
+                       look.px(5));
     for (int r = 0; r < 4; ++r)
         for (int c = 0; c < 4; ++c) {
             const std::string text = fixed(m[c][r]);
             const float right = from.x + pad + column * static_cast<float>(c + 1) - look.px(3);
-            list.AddText({std::round(right - ImGui::CalcTextSize(text.c_str()).x), std::round(from.y + pad / 2 + row * static_cast<float>(r) + look.px(1))},
+            list.AddText({std::round(right - ImGui::CalcTextSize(text.c_str()).x),
+                          std::round(from.y + pad / 2 + row * static_cast<float>(r) + look.px(1))},
                          packed(r < 3 && c < 3 ? look.text : look.dim), text.c_str());
         }
     ImGui::Dummy({width, height});

@@ -25,21 +25,22 @@ bool begin_combo(const Look& look, const char* id, const std::string& current, f
 /// A number to be dragged: the bar's tip follows the pointer, so that a click alone changes nothing; a double click or
 /// Ctrl+click types. Between `low` and `high` by mouse; whatever `range` allows when typed.
 struct NumberBar {
-    const char* letter = "";         ///< at the left
-    std::optional<ImVec4> color{};   ///< of the letter and the bar
-    double low = 0.0, high = 0.0;    ///< equal: no bar, and no limit but `range`
-    double zero = 0.0;               ///< where the bar starts
-    double step = 0.01;              ///< to which dragging rounds
+    const char* letter = "";        ///< at the left
+    std::optional<ImVec4> color{};  ///< of the letter and the bar
+    double low = 0.0, high = 0.0;   ///< equal: no bar, and no limit but `range`
+    double zero = 0.0;              ///< where the bar starts
+    double step = 0.01;             ///< to which dragging rounds
     int decimals = 3;
     const char* unit = "";
     Range range = kCoordinate;
-    const char* about = "";          ///< for its tooltip
+    const char* about = "";  ///< for its tooltip
 };
 /// As wide as ImGui::SetNextItemWidth says. True where the value has changed; it is always finite and within the range.
 bool number_bar(const Look& look, const char* id, double& value, const NumberBar& bar);
 bool number_bar(const Look& look, const char* id, int& value, const NumberBar& bar);
 
-bool icon_button(const Look& look, const char* id, Icon icon, const char* about, bool enabled = true, float side = 30.0f);
+bool icon_button(const Look& look, const char* id, Icon icon, const char* about, bool enabled = true,
+                 float side = 30.0f);
 
 struct Choice {
     const char* label;

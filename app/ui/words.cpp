@@ -25,7 +25,8 @@ public:
         : look_{look}, colors_{theme_colors(frame.theme)}, list_{*ImGui::GetBackgroundDrawList()} {}
 
     void plain(const ImFont* font, ImVec2 at, const ImVec4& color, std::string_view text) const {
-        list_.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)}, packed(color), text.data(), text.data() + text.size());
+        list_.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)}, packed(color), text.data(),
+                      text.data() + text.size());
     }
 
     // A soft edge in the ground's colour keeps the words readable on whatever lies behind.
@@ -35,7 +36,8 @@ public:
             for (int i = 0; i < 8; ++i) {
                 const float angle = static_cast<float>(i) * 0.785398f, r = radius * look_.scale;
                 const ImVec2 to{at.x + r * std::cos(angle), at.y + r * std::sin(angle)};
-                list_.AddText(font, font->FontSize, to, packed(faded(halo, radius > 1.5f ? 0.22f : 0.55f)), text.data(), text.data() + text.size());
+                list_.AddText(font, font->FontSize, to, packed(faded(halo, radius > 1.5f ? 0.22f : 0.55f)), text.data(),
+                              text.data() + text.size());
             }
         plain(font, at, to_imgui(color), text);
     }
@@ -48,28 +50,33 @@ public:
         float pad, top;
     };
     TitleStyle title_style(const Frame& frame) const {
-        const TitleStyle large{look_.fonts.title, true, look_.px(18), look_.px(14)}, narrow{look_.fonts.small, false, look_.px(12), look_.px(8)};
-        for (const TitleStyle& style : {large, TitleStyle{look_.fonts.strong, true, narrow.pad, narrow.top}, TitleStyle{look_.fonts.small, true, narrow.pad, narrow.top},
+        const TitleStyle large{look_.fonts.title, true, look_.px(18), look_.px(14)},
+            narrow{look_.fonts.small, false, look_.px(12), look_.px(8)};
+        for (const TitleStyle& style : {large, TitleStyle{look_.fonts.strong, true, narrow.pad, narrow.top},
+                                        TitleStyle{look_.fonts.small, true, narrow.pad, narrow.top},
                                         TitleStyle{look_.fonts.strong, false, narrow.pad, narrow.top}}) {
             bool fits = true;
             for (const Pane& pane : frame.panes)
                 for (const Label& label : pane.labels)
                     if (label.role == Label::Role::Title)
-                        fits &= extent(style.font, title_text(label, style)).x + 2 * style.pad + look_.px(8) <= static_cast<float>(pane.rect.size.x);
+                        fits &= extent(style.font, title_text(label, style)).x + 2 * style.pad + look_.px(8) <=
+                                static_cast<float>(pane.rect.size.x);
             if (fits) return style;
         }
         return narrow;
     }
     static std::string_view title_text(const Label& label, const TitleStyle& style) {
         const auto gap = label.text.rfind("   ");
-        return style.whole || gap == std::string::npos ? std::string_view(label.text) : std::string_view(label.text).substr(gap + 3);
+        return style.whole || gap == std::string::npos ? std::string_view(label.text)
+                                                       : std::string_view(label.text).substr(gap + 3);
     }
     void title(const Pane& pane, const Label& label, const TitleStyle& style) const {
         const std::string_view text = title_text(label, style);
         const ImVec2 size = extent(style.font, text);
         const float middle = static_cast<float>(pane.rect.origin.x) + static_cast<float>(pane.rect.size.x) / 2;
         const float top = static_cast<float>(pane.rect.origin.y) + style.top;
-        const ImVec2 low{std::round(middle - size.x / 2 - style.pad), top}, high{std::round(middle + size.x / 2 + style.pad), top + size.y + look_.px(10)};
+        const ImVec2 low{std::round(middle - size.x / 2 - style.pad), top},
+            high{std::round(middle + size.x / 2 + style.pad), top + size.y + look_.px(10)};
         list_.AddRectFilled(low, high, packed(to_imgui(label.color)), (high.y - low.y) / 2);
         plain(style.font, {middle - size.x / 2, low.y + look_.px(5)}, {1, 1, 1, 1}, text);
     }
@@ -82,7 +89,8 @@ public:
         ImVec2 at{label.pixel.x - size.x / 2, label.pixel.y - size.y / 2};
         if (label.role == Label::Role::Angle) at.x = label.pixel.x + look_.px(8);
         if (label.role == Label::Role::Note) at = {label.pixel.x + look_.px(10), label.pixel.y + look_.px(4)};
-        const ImVec2 low(static_cast<float>(pane.rect.origin.x) + look_.px(4), static_cast<float>(pane.rect.origin.y) + look_.px(4));
+        const ImVec2 low(static_cast<float>(pane.rect.origin.x) + look_.px(4),
+                         static_cast<float>(pane.rect.origin.y) + look_.px(4));
         const ImVec2 high(low.x + static_cast<float>(pane.rect.size.x) - look_.px(8) - size.x,
                           low.y + static_cast<float>(pane.rect.size.y) - look_.px(8) - size.y);
         at = {std::clamp(at.x, low.x, std::max(low.x, high.x)), std::clamp(at.y, low.y, std::max(low.y, high.y))};
@@ -106,8 +114,10 @@ public:
         card(low, {low.x + size.x, low.y + size.y});
         float y = low.y + look_.px(7) + row() / 2;
         for (const LegendEntry& entry : entries) {
-            draw_arrow(list_, entry.kind, {low.x + look_.px(12), y}, {low.x + look_.px(42), y}, look_.px(3), packed(to_imgui(entry.color)));
-            plain(look_.fonts.small, {low.x + look_.px(51), y - look_.fonts.small->FontSize / 2}, to_imgui(colors_.text), entry.text);
+            draw_arrow(list_, entry.kind, {low.x + look_.px(12), y}, {low.x + look_.px(42), y}, look_.px(3),
+                       packed(to_imgui(entry.color)));
+            plain(look_.fonts.small, {low.x + look_.px(51), y - look_.fonts.small->FontSize / 2},
+                  to_imgui(colors_.text), entry.text);
             y += row();
         }
     }
@@ -119,7 +129,8 @@ public:
         card(low, {low.x + size.x, low.y + size.y});
         const ImFont* font = look_.fonts.small;
         plain(font, {low.x + look_.px(16), low.y + look_.px(5)}, to_imgui(colors_.text), "naive rule’s error");
-        const ImVec2 bar{low.x + look_.px(16), low.y + look_.px(26)}, end{low.x + size.x - look_.px(20), bar.y + look_.px(12)};
+        const ImVec2 bar{low.x + look_.px(16), low.y + look_.px(26)},
+            end{low.x + size.x - look_.px(20), bar.y + look_.px(12)};
         constexpr int kSteps = 45;
         const auto x = [&](float degrees) { return bar.x + (end.x - bar.x) * degrees / 90.0f; };
         for (int i = 0; i < kSteps; ++i) {
@@ -134,7 +145,8 @@ public:
             list_.AddLine({at, end.y}, {at, end.y + look_.px(named ? 4 : 2)}, packed(to_imgui(colors_.text)));
             if (!named) continue;
             const std::string text = std::to_string(degrees) + "°";
-            plain(font, {at - extent(font, std::to_string(degrees)).x / 2, end.y + look_.px(4)}, to_imgui(colors_.text), text);
+            plain(font, {at - extent(font, std::to_string(degrees)).x / 2, end.y + look_.px(4)}, to_imgui(colors_.text),
+                  text);
         }
     }
 
@@ -154,16 +166,20 @@ void draw_words(const Look& look, const Frame& frame) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     for (const Pane& pane : frame.panes) {
         const ImVec2 low(static_cast<float>(pane.rect.origin.x), static_cast<float>(pane.rect.origin.y));
-        list.PushClipRect(low, {low.x + static_cast<float>(pane.rect.size.x), low.y + static_cast<float>(pane.rect.size.y)});
+        list.PushClipRect(low,
+                          {low.x + static_cast<float>(pane.rect.size.x), low.y + static_cast<float>(pane.rect.size.y)});
         for (const Label& label : pane.labels) {
-            if (label.role == Label::Role::Title) writer.title(pane, label, titles);
-            else writer.label(pane, label);
+            if (label.role == Label::Role::Title)
+                writer.title(pane, label, titles);
+            else
+                writer.label(pane, label);
         }
         list.PopClipRect();
     }
 
     const float margin = look.px(14);
-    const float left = static_cast<float>(frame.rect.origin.x) + margin, right = static_cast<float>(frame.rect.origin.x + frame.rect.size.x) - margin;
+    const float left = static_cast<float>(frame.rect.origin.x) + margin,
+                right = static_cast<float>(frame.rect.origin.x + frame.rect.size.x) - margin;
     float bottom = static_cast<float>(frame.rect.origin.y + frame.rect.size.y) - margin;
     float beside = left;
     if (!frame.legend.empty()) {
