@@ -1,0 +1,122 @@
+"""What the command tests share: running the program, and files to give it."""
+
+import json
+import os
+import pathlib
+import re
+import shutil
+import struct
+import subprocess
+import tempfile
+import unittest
+import zlib
+
+NORMALSCOPE = os.environ.get("NORMALSCOPE", "build/normalscope")
+SMALL = ("--size", "160x120")
+
+
+def run(*arguments, env=None, **options):
+    """The finished program. `env` adds to the environment, None as a value removes from it."""
+    environment = dict(os.environ)
+    for name, value in (env or {}).items():
+        if value is None:
+            environment.pop(name, None)
+        else:
+            environment[name] = value
+    options.setdefault("stdin", subprocess.DEVNULL)
+    options.setdefault("stdout", subprocess.PIPE)
+    return subprocess.run(
+        [NORMALSCOPE, *map(str, arguments)],
+        env=environment, stderr=subprocess.PIPE, timeout=300, check=False, **options)
+
+
+class CommandTest(unittest.TestCase):
+    """Each test has a folder of its own, self.folder."""
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="normalscope-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def file(self, name, content):
+        """A file in the test's folder."""
+        path = self.folder / name
+        path.write_bytes(content if isinstance(content, bytes) else content.encode())
+        return path
+
+    def scene(self, **keys):
+        return self.file("scene.json", json.dumps({"normalscope": 1, **keys}))
+
+    def assert_done(self, *arguments, **options):
+        done = run(*arguments, **options)
+        self.assertEqual((done.returncode, done.stderr.decode()), (0, ""), arguments)
+        return done.stdout or b""
+
+    def assert_fails(self, code, *arguments, says=(), **options):
+        """It exits with `code` and says why in one line of stderr, which holds every one of the words `says`."""
+        done = run(*arguments, **options)
+        line = done.stderr.decode()
+        self.assertEqual(done.returncode, code, (arguments, line))
+        self.assertEqual(done.stdout or b"", b"", arguments)
+        self.assertRegex(line, r"\Anormalscope: [^\n]+\n\Z", arguments)
+        self.assertLess(len(line), 500, arguments)
+        for word in says if isinstance(says, tuple) else (says,):
+            self.assertIn(str(word), line)
+        # What does not exist is said in words; only what the user wrote may be repeated.
+        for argument in filter(None, map(str, arguments)):
+            line = line.replace(argument, "")
+        self.assertNotRegex(line, r"\b(nan|-?inf)\b")
+
+    def capture(self, *arguments, **options):
+        """The small picture of a scene as bytes."""
+        path = self.folder / "picture.png"
+        self.assert_done("capture", *arguments, "-o", path, *SMALL, **options)
+        return path.read_bytes()
+
+    def numbers(self, *arguments, **options):
+        """What --numbers says of a scene."""
+        path = self.folder / "numbers.json"
+        self.capture(*arguments, "--numbers", path, **options)
+        text = path.read_text()
+        self.assertNotRegex(text, r"(?i)\b(nan|inf|infinity)\b")
+        return json.loads(text)
+
+
+def close_to(test, actual, expected, places=9):
+    """Numbers, or arrays of them, that agree but for rounding."""
+    if isinstance(expected, (list, tuple)):
+        test.assertEqual(len(actual), len(expected))
+        for a, e in zip(actual, expected):
+            close_to(test, a, e, places)
+    else:
+        test.assertAlmostEqual(actual, expected, places)
+
+
+def png_size(picture):
+    assert picture.startswith(b"\x89PNG\r\n\x1a\n")
+    return struct.unpack(">II", picture[16:24])
+
+
+def png(width, height, rows, depth=8, kind=2, extra=b""):
+    """A PNG of the given bytes a row; `kind` is PNG's colour type, `extra` holds chunks to put before the pixels."""
+    header = struct.pack(">IIBBBBB", width, height, depth, kind, 0, 0, 0)
+    pixels = zlib.compress(b"".join(b"\0" + bytes(row) for row in rows))
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + extra + chunk(b"IDAT", pixels) + chunk(b"IEND", b""))
+
+
+def chunk(name, data):
+    return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+
+
+def colours(picture):
+    """How many different bytes the rows of a PNG hold: a rough measure of whether anything was drawn."""
+    data, at = b"", 8
+    while at < len(picture):
+        size, name = struct.unpack(">I4s", picture[at:at + 8])
+        if name == b"IDAT":
+            data += picture[at + 8:at + 8 + size]
+        at += 12 + size
+    return len(set(zlib.decompress(data)))
+
+
+def words(text):
+    return re.split(r"\s+", text.strip())

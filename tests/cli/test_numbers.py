@@ -1,0 +1,128 @@
+#!/usr/bin/env python3
+"""--numbers: every key, the values that theory gives, and null for what does not exist."""
+
+import math
+import unittest
+
+from support import CommandTest, close_to
+
+RULES = ["naive", "inverse-transpose", "cofactor"]
+KEYS = ["renderer", "context", "M", "determinant", "rank", "condition", "normal_matrix", "error_degrees", "probe"]
+PROBE_KEYS = ["point_object", "point_world", "n_object", "n_world", "tangents_object", "tangents_world", "dots", "f", "gradient"]
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def times(matrix, vector):
+    return [dot(row, vector) for row in matrix]
+
+
+def worst_error(ratio):
+    """DESIGN section 1, point 7."""
+    return math.degrees(math.atan(ratio) - math.atan(1 / ratio))
+
+
+def scaled(*factors):
+    return "--set", f"stack=[{{\"scale\":{list(factors)}}}]"
+
+
+class NumbersTest(CommandTest):
+    def test_the_keys(self):
+        numbers = self.numbers()
+        self.assertEqual(list(numbers), KEYS)
+        self.assertEqual(list(numbers["normal_matrix"]), RULES)
+        self.assertEqual(list(numbers["error_degrees"]), ["worst", "mean", "bound", "at"])
+        self.assertEqual(list(numbers["probe"]), PROBE_KEYS)
+        self.assertEqual(list(numbers["probe"]["n_world"]), RULES)
+        self.assertEqual(list(numbers["probe"]["dots"]), RULES)
+        self.assertIn("llvmpipe", numbers["renderer"])
+
+    def test_the_running_example(self):
+        numbers = self.numbers("slide-scale")
+        close_to(self, numbers["M"], [[0.5, 0, 0, 0], [0, 2, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+        close_to(self, numbers["determinant"], 1)
+        self.assertEqual(numbers["rank"], 3)
+        close_to(self, numbers["condition"], 4)
+        close_to(self, numbers["normal_matrix"]["naive"], [[0.5, 0, 0], [0, 2, 0], [0, 0, 1]])
+        close_to(self, numbers["normal_matrix"]["inverse-transpose"], [[2, 0, 0], [0, 0.5, 0], [0, 0, 1]])
+        close_to(self, numbers["normal_matrix"]["cofactor"], [[2, 0, 0], [0, 0.5, 0], [0, 0, 1]])
+        error = numbers["error_degrees"]
+        close_to(self, error["bound"], 61.928, 3)
+        self.assertLessEqual(error["worst"], error["bound"] + 1e-9)
+        self.assertGreater(error["worst"], error["bound"] - 0.5)
+        self.assertTrue(0 < error["mean"] < error["worst"])
+        close_to(self, [abs(x) for x in error["at"]], [math.cos(math.radians(d)) for d in (45, 45, 90)], 1)
+
+    def test_the_bound(self):
+        close_to(self, self.numbers(*scaled(1, 2, 1))["error_degrees"]["bound"], 36.870, 3)
+        for factors in ((1, 3, 1), (0.25, 0.5, 5), (-1, 2, 1), (-2, -2, 0.1)):
+            sizes = [abs(f) for f in factors]
+            close_to(self, self.numbers(*scaled(*factors))["error_degrees"]["bound"], worst_error(max(sizes) / min(sizes)))
+
+    def test_rigid_and_uniform_maps_have_no_error(self):
+        for scene in ("identity", "rotation", "uniform"):
+            error = self.numbers(scene)["error_degrees"]
+            close_to(self, [error["worst"], error["mean"], error["bound"]], [0, 0, 0], 5)
+
+    def test_the_probe_is_what_theory_says(self):
+        for scene in ("slide-scale", "shear", "rotation", "reflection", "split"):
+            with self.subTest(scene):
+                numbers = self.numbers(scene)
+                probe, matrix = numbers["probe"], numbers["M"]
+                close_to(self, probe["point_world"], times(matrix, probe["point_object"] + [1])[:3])
+                close_to(self, dot(probe["n_object"], probe["n_object"]), 1)
+                for at_home, in_world in zip(probe["tangents_object"], probe["tangents_world"]):
+                    close_to(self, dot(at_home, probe["n_object"]), 0)
+                    close_to(self, in_world, times(matrix, at_home + [0])[:3])
+                for rule in RULES:
+                    normal = probe["n_world"][rule]
+                    close_to(self, normal, times(numbers["normal_matrix"][rule], probe["n_object"]))
+                    close_to(self, probe["dots"][rule], [dot(normal, t) for t in probe["tangents_world"]])
+                close_to(self, probe["dots"]["inverse-transpose"] + probe["dots"]["cofactor"], [0, 0, 0, 0])
+
+    def test_the_naive_rule_is_wrong_where_the_scale_is_uneven(self):
+        dots = self.numbers("slide-scale", "--set", "probe=[0.6,0.8,0]")["probe"]["dots"]
+        self.assertGreater(max(map(abs, dots["naive"])), 0.1)
+
+    def test_the_probe_lies_where_it_is_put(self):
+        probe = self.numbers("identity", "--set", "probe=[0,5,0]")["probe"]
+        close_to(self, probe["point_object"], [0, 1, 0], 2)
+        close_to(self, probe["n_object"], [0, 1, 0], 2)
+
+    def test_a_shape_is_no_formula(self):
+        probe = self.numbers()["probe"]
+        self.assertIsNone(probe["f"])
+        self.assertIsNone(probe["gradient"])
+
+    def test_a_reflection(self):
+        numbers = self.numbers(*scaled(-1, 1, 1))
+        close_to(self, numbers["determinant"], -1)
+        normals = numbers["probe"]["n_world"]
+        close_to(self, normals["cofactor"], [-x for x in normals["inverse-transpose"]])
+
+    def test_rank_2(self):
+        numbers = self.numbers(*scaled(1, 1, 0))
+        self.assertEqual((numbers["rank"], numbers["determinant"], numbers["condition"]), (2, 0, None))
+        self.assertIsNone(numbers["normal_matrix"]["inverse-transpose"])
+        close_to(self, numbers["normal_matrix"]["cofactor"], [[0, 0, 0], [0, 0, 0], [0, 0, 1]])
+        self.assertEqual(numbers["error_degrees"], {"worst": None, "mean": None, "bound": None, "at": None})
+        self.assertIsNone(numbers["probe"]["n_world"]["inverse-transpose"])
+        self.assertIsNone(numbers["probe"]["dots"]["inverse-transpose"])
+        close_to(self, numbers["probe"]["dots"]["cofactor"], [0, 0])
+
+    def test_ranks_1_and_0(self):
+        for factors, rank in (((1, 0, 0), 1), ((0, 0, 0), 0)):
+            numbers = self.numbers(*scaled(*factors))
+            self.assertEqual((numbers["rank"], numbers["determinant"], numbers["condition"]), (rank, 0, None))
+            close_to(self, numbers["normal_matrix"]["cofactor"], [[0, 0, 0]] * 3)
+            self.assertIsNone(numbers["error_degrees"]["bound"])
+
+    def test_extreme_scales(self):
+        for factors in ((1e9, 1e-9, 1), (1e-9, 1e-9, 1e-9), (-1e9, 1e9, 1e9)):
+            self.numbers(*scaled(*factors))
+
+
+if __name__ == "__main__":
+    unittest.main()
