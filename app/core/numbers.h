@@ -3,6 +3,8 @@
 #include "core/frame.h"
 #include "core/scene.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <string>
 
 namespace normalscope {
@@ -15,5 +17,8 @@ struct Drawn {
 
 /// What the picture means, as JSON (DESIGN section 2): matrices as arrays of rows, null for what does not exist.
 std::string numbers_text(const Scene& scene, const Frame& frame, const Drawn& drawn);
+
+/// The same as JSON to add to; without `drawn`, where no picture was made, its two keys are null.
+nlohmann::ordered_json numbers_json(const Scene& scene, const Frame& frame, const std::optional<Drawn>& drawn);
 
 }  // namespace normalscope
