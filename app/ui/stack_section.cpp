@@ -24,6 +24,7 @@ struct Change {
 };
 
 void apply(const Change& change, std::vector<StackEntry>& stack, std::vector<bool>& folded) {
+    if (change.from >= stack.size()) return;  // dragged, while an undo took it away
     const auto move = [&]<class T>(std::vector<T>& v) {
         const T taken = v[change.from];
         v.erase(v.begin() + static_cast<std::ptrdiff_t>(change.from));
@@ -104,11 +105,11 @@ bool entry_header(const Look& look, std::size_t i, Scene& scene, StackMemory& me
     const float middle = from.y + look.px(side) / 2, y = middle - ImGui::GetFontSize() / 2;
     draw_icon(list, Icon::Grip, {from.x + look.px(7), middle}, look.px(13), packed(look.dim));
     const std::string number = std::to_string(i + 1), kind(name(entry));
+    const float indent = look.px(26) + ImGui::CalcTextSize(number.c_str()).x;
     list.AddText({from.x + look.px(18), y}, packed(look.dim), number.c_str());
-    list.AddText(look.fonts.strong, look.fonts.strong->FontSize, {from.x + look.px(i < 9 ? 34 : 42), y},
-                 packed(look.text), kind.c_str());
+    list.AddText(look.fonts.strong, look.fonts.strong->FontSize, {from.x + indent, y}, packed(look.text), kind.c_str());
     if (folded) {
-        const float start = look.px(i < 9 ? 34 : 42) +
+        const float start = indent +
                             look.fonts.strong->CalcTextSizeA(look.fonts.strong->FontSize, 1e9f, 0, kind.c_str()).x +
                             look.px(10);
         list.AddText({from.x + start, y}, packed(look.dim), shortened(summary(entry), width - start).c_str());

@@ -1,0 +1,141 @@
+#include "ui/folder.h"
+#include "ui/interface.h"
+#include "ui/numbers.h"
+
+#include "core/scene_json.h"
+#include "core/surface.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <random>
+
+namespace normalscope {
+namespace {
+
+TEST(UiNumbers, HaveAFixedFormAndARealMinus) {
+    EXPECT_EQ(fixed(0.5), "0.500");
+    EXPECT_EQ(fixed(-0.5), "\u22120.500");
+    EXPECT_EQ(fixed(-0.0), "0.000");
+    EXPECT_EQ(fixed(-1e-9), "0.000");
+    EXPECT_EQ(fixed(12345678.0), "1.2e7");
+    EXPECT_EQ(fixed(-1e60), "\u22121.0e60");
+    EXPECT_EQ(fixed(std::numeric_limits<double>::quiet_NaN()), "\u2014");
+    EXPECT_EQ(fixed(std::nullopt), "\u2014");
+    EXPECT_EQ(fixed_unless_small(-2.1e-7, false), "\u22122.1e\u22127");
+    EXPECT_EQ(fixed_unless_small(-2.1e-17, true), "0.000");
+    EXPECT_EQ(in_degrees(36.8699), "36.870°");
+    EXPECT_EQ(brief(-1.250), "\u22121.25");
+    EXPECT_EQ(brief(2.0), "2");
+    EXPECT_EQ(grouped(1234567), "1,234,567");
+}
+
+TEST(UiFolder, ListsFoldersFirstAndOnlyTheEndingsAskedFor) {
+    const auto folder = std::filesystem::temp_directory_path() / "normalscope_ui_folder";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder / "zoo");
+    for (const char* name : {"b.OBJ", "a.json", "c.txt", ".hidden.obj"}) std::ofstream(folder / name) << "x";
+    constexpr std::array<std::string_view, 2> kEndings{".obj", ".json"};
+    const Folder found = read_folder(folder, kEndings);
+    ASSERT_EQ(found.entries.size(), 3u);
+    EXPECT_EQ(found.entries[0].name, "zoo");
+    EXPECT_EQ(found.entries[1].name, "a.json");
+    EXPECT_EQ(found.entries[2].name, "b.OBJ");
+    EXPECT_FALSE(read_folder(folder / "nowhere", kEndings).error.empty());
+    std::filesystem::remove_all(folder);
+}
+
+// The interface without a window: Dear ImGui lays everything out, nobody draws it.
+class InterfaceTest : public testing::Test {
+protected:
+    InterfaceTest() { ImGui::CreateContext(); }
+    ~InterfaceTest() override { ImGui::DestroyContext(); }
+
+    void step() {
+        interface_.prepare(scene_.theme, 1.0f);
+        ImGuiIO& io = ImGui::GetIO();
+        io.DisplaySize = {1280, 720};
+        io.DeltaTime = 1.0f / 60.0f;
+        const Frame frame = make_frame(scene_, surfaces_.get(scene_), {.rect = interface_.picture({1280, 720})});
+        ImGui::NewFrame();
+        interface_.draw(scene_, frame, {.can_undo = true, .can_redo = true, .errors = std::nullopt, .file = "test"});
+        ImGui::Render();
+    }
+
+    Scene scene_;
+    SurfaceCache surfaces_;
+    Interface interface_;
+};
+
+TEST_F(InterfaceTest, ChangesNothingByItselfAndThenRests) {
+    for (const BuiltInScene& built_in : built_in_scenes()) {
+        const Scene before = scene_ = load_scene(built_in.name);
+        for (int i = 0; i < 5; ++i) step();
+        EXPECT_EQ(scene_, before) << built_in.name;
+        EXPECT_TRUE(std::isinf(interface_.redraw_after())) << built_in.name;
+    }
+}
+
+TEST_F(InterfaceTest, NotesGoAndErrorsStay) {
+    interface_.show_note("Saved");
+    EXPECT_EQ(interface_.redraw_after(), 0.0);
+    for (int i = 0; i < 60 * 4; ++i) step();
+    EXPECT_TRUE(std::isinf(interface_.redraw_after()));
+    interface_.show_error("x.obj: no such file");
+    step();
+    EXPECT_TRUE(std::isinf(interface_.redraw_after()));
+}
+
+// Whatever is clicked, dragged and typed, the scene can be written and read back.
+TEST_F(InterfaceTest, KeepsTheSceneValid) {
+    std::mt19937 random(1);
+    const auto below = [&](unsigned n) { return static_cast<int>(random() % n); };
+    ImGuiIO& io = ImGui::GetIO();
+    const auto move = [&] {
+        io.AddMousePosEvent(static_cast<float>(below(388)), static_cast<float>(below(720)));
+        step();
+    };
+    const auto button = [&](bool down) {
+        io.AddMouseButtonEvent(ImGuiMouseButton_Left, down);
+        step();
+    };
+    const auto press = [&](ImGuiKey key) {
+        io.AddKeyEvent(key, true);
+        step();
+        io.AddKeyEvent(key, false);
+        step();
+    };
+    scene_.surface = ShapeSurface{.shape = Shape::Sphere, .resolution = 8};
+    int changes = 0;
+    for (int i = 0; i < 600; ++i) {
+        const Scene before = scene_;
+        move();
+        for (int clicks = 1 + below(2); clicks > 0; --clicks) {
+            button(true);
+            if (below(3) == 0) move();
+            button(false);
+        }
+        if (below(2) == 0) {
+            io.AddInputCharactersUTF8(std::array{"-1e999", "nan", "0", "1e9", "7"}[random() % 5]);
+            step();
+            press(ImGuiKey_Enter);
+        }
+        if (below(4) != 0) press(ImGuiKey_Escape);
+        if (below(2) == 0) io.AddMouseWheelEvent(0.0f, static_cast<float>(below(9) - 4));
+        if (auto* shape = std::get_if<ShapeSurface>(&scene_.surface))
+            shape->resolution = std::min(shape->resolution, 8);
+        if (scene_ == before) continue;
+        ++changes;
+        ASSERT_EQ(parse_scene(scene_text(scene_), "scene"), scene_) << "step " << i;
+    }
+    EXPECT_GT(changes, 50);
+}
+
+}  // namespace
+}  // namespace normalscope
