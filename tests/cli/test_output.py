@@ -77,10 +77,10 @@ class OutputTest(CommandTest):
         self.assertEqual(path.read_text(), "old")
         self.assertEqual(list(self.folder.iterdir()), [path])
 
-    def test_results_that_cannot_be_printed(self):
-        for arguments in (("scenes",), ("--help",), ("--version",)):
-            with open("/dev/full", "wb") as full:
-                self.assert_fails(3, *arguments, stdout=full, says="standard output")
+    def test_a_result_that_cannot_be_printed(self):
+        picture = self.file("picture.png", self.capture())
+        with open("/dev/full", "wb") as full:
+            self.assert_fails(3, "compare", picture, picture, stdout=full, says="standard output")
 
 
 if __name__ == "__main__":
