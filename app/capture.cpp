@@ -7,6 +7,8 @@
 #include "gl/target.h"
 #include "gui.h"
 
+#include <algorithm>
+#include <cmath>
 #include <future>
 #include <optional>
 
@@ -18,6 +20,12 @@ bool has_words(const Frame& frame) {
     bool any = !frame.legend.empty() || frame.error_legend;
     for (const Pane& pane : frame.panes) any = any || !pane.labels.empty();
     return any;
+}
+
+// Words and lines keep their share of the picture, whatever its size; the panel must stay legible in a small one.
+float scale_of(glm::ivec2 size, bool panel) {
+    const float share = std::min(static_cast<float>(size.x) / 1280.0f, static_cast<float>(size.y) / 720.0f);
+    return std::clamp(std::round(10.0f * share) / 10.0f, panel ? 1.0f : 0.5f, 8.0f);
 }
 
 }  // namespace
@@ -32,12 +40,16 @@ Capture capture(const Scene& scene, const CaptureOptions& options) {
     const Target target(options.size, options.samples);
     Renderer renderer;
 
-    const PixelRect everything{{0, 0}, options.size};
+    const float scale = scale_of(options.size, options.panel);
     const std::shared_ptr<const Surface> surface = loading.get();
     std::optional<Gui> gui;
-    if (options.panel) gui.emplace();
-    const PixelRect rect = gui ? gui->interface.picture(options.size) : everything;
-    const Frame frame = make_frame(scene, surface, {.rect = rect, .handles = options.panel});
+    PixelRect rect{{0, 0}, options.size};
+    if (options.panel) {
+        gui.emplace();
+        gui->interface.prepare(scene.theme, scale);
+        rect = gui->interface.picture(options.size);
+    }
+    const Frame frame = make_frame(scene, surface, {.rect = rect, .pixel_scale = scale, .handles = options.panel});
 
     target.bind();
     renderer.draw(frame, options.size.y);
@@ -48,7 +60,7 @@ Capture capture(const Scene& scene, const CaptureOptions& options) {
         if (options.panel) status.errors = error_statistics(surface->mesh, world_from_object(scene).normal_matrices_by_rule());
         // Dear ImGui knows a window's size only after it has laid it out once.
         for (int round = 0; round < (options.panel ? 3 : 1); ++round)
-            gui->layout(options.size, scene.theme, 1.0f, [&] {
+            gui->layout(options.size, scene.theme, scale, [&] {
                 Scene unchanged = scene;
                 if (options.panel) gui->interface.draw(unchanged, frame, status);
                 else gui->interface.draw_words(frame);

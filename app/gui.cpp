@@ -21,7 +21,8 @@ Gui::~Gui() {
 
 void Gui::layout(glm::ivec2 framebuffer, Theme theme, float scale, const std::function<void()>& content) {
     ImGuiIO& io = ImGui::GetIO();
-    if (interface.prepare(theme, scale)) ImGui_ImplOpenGL3_DestroyFontsTexture();  // NewFrame uploads it again
+    // The backend's NewFrame uploads a new font atlas only where it makes everything anew.
+    if (interface.prepare(theme, scale)) ImGui_ImplOpenGL3_DestroyDeviceObjects();
     ImGui_ImplOpenGL3_NewFrame();
     if (has_window_) ImGui_ImplGlfw_NewFrame();
     else io.DeltaTime = 1.0f / 60.0f;

@@ -188,7 +188,7 @@ void Viewer::on_key(int key, int modifiers) {
         case GLFW_KEY_E: scene_.color = scene_.color == SurfaceColor::Lit ? SurfaceColor::Error : SurfaceColor::Lit; break;
         case GLFW_KEY_G: scene_.show.ghost = !scene_.show.ghost; break;
         case GLFW_KEY_T: scene_.theme = scene_.theme == Theme::Light ? Theme::Dark : Theme::Light; break;
-        case GLFW_KEY_R: scene_.stack.clear(); break;
+        case GLFW_KEY_R: scene_.stack = {Scale{}}; break;
         case GLFW_KEY_1: look(0.0, 0.0); break;
         case GLFW_KEY_2: look(90.0, 0.0); break;
         case GLFW_KEY_3: look(0.0, 90.0); break;

@@ -139,8 +139,8 @@ void add_legend(Frame& frame, const Scene& scene, const NormalMatrices& matrices
             const Rule rule = kRules[static_cast<std::size_t>(kind) - 1];
             constexpr std::array<std::string_view, 3> kTitles{"naive", "inverse transpose", "cofactor"};
             text = std::string(kTitles[static_cast<std::size_t>(rule)]) + "  " + std::string(formula(rule));
-            if (!matrices.by(rule)) text += "  (M has no inverse)";
-            else if (rule == Rule::Cofactor && matrices.rank < 2) text += "  (zero: rank below 2)";
+            if (!matrices.by(rule)) text += "  does not exist";
+            else if (rule == Rule::Cofactor && matrices.rank < 2) text += "  is zero";
         }
         frame.legend.push_back({kind, text, arrow_color(kind, scene.theme)});
     }

@@ -411,7 +411,11 @@ Scene load_scene(const std::string& file_or_name) {
             m->mesh = (path.parent_path() / m->mesh).lexically_normal().string();
         return scene;
     }
-    if (is_mesh_file(path)) return with_mesh(load_scene(std::string(kDefaultScene)), file_or_name);
+    if (is_mesh_file(path)) {
+        Scene scene = with_mesh(load_scene(std::string(kDefaultScene)), file_or_name);
+        scene.camera.zoom = 1.25;  // few meshes fill the ball that they touch
+        return scene;
+    }
     if (const auto text = embedded::file(std::string(kSceneFolder) + file_or_name + ".json"))
         return parse_scene(*text, file_or_name);
 

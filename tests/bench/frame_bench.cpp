@@ -1,0 +1,56 @@
+// What one interactive frame costs: the default scene with its panel, the camera turning, drawn off-screen as the
+// window draws it. Prints one line of JSON: frames a second, from the median, by samples a pixel.
+
+#include "core/frame.h"
+#include "core/scene_json.h"
+#include "core/surface.h"
+#include "gl/renderer.h"
+#include "gl/target.h"
+#include "gui.h"
+#include "platform/context.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <vector>
+
+using namespace normalscope;
+
+namespace {
+
+double median_frame_milliseconds(int samples) {
+    constexpr glm::ivec2 kSize(1280, 720);
+    constexpr int kFrames = 60;
+    const Target target(kSize, samples);
+    Renderer renderer;
+    Gui gui;
+    SurfaceCache surfaces;
+    Scene scene = load_scene(std::string(kDefaultScene));
+    std::vector<double> milliseconds;
+    for (int i = 0; i < kFrames + 5; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        scene.camera.azimuth += 1.0;
+        const Frame frame = make_frame(scene, surfaces.get(scene), {.rect = gui.interface.picture(kSize)});
+        gui.layout(kSize, scene.theme, 1.0f, [&] { gui.interface.draw(scene, frame, {}); });
+        target.bind();
+        renderer.draw(frame, kSize.y);
+        target.resolve();
+        gui.draw();
+        glFinish();
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+        if (i >= 5) milliseconds.push_back(took.count());  // the first ones compile shaders
+    }
+    std::nth_element(milliseconds.begin(), milliseconds.begin() + kFrames / 2, milliseconds.end());
+    return milliseconds[kFrames / 2];
+}
+
+}  // namespace
+
+int main() {
+    const auto context = make_offscreen_context(ContextChoice::Auto);
+    context->make_current();
+    std::printf("{\"renderer\": \"%s\", \"frames_per_second\": {\"1\": %.1f, \"4\": %.1f}}\n", renderer_name().c_str(),
+                1000.0 / median_frame_milliseconds(1), 1000.0 / median_frame_milliseconds(4));
+}
