@@ -42,7 +42,8 @@ std::string read_file(const std::filesystem::path& file, std::size_t largest) {
     const File in(std::fopen(file.c_str(), "rb"));
     if (!in) fail(file, "cannot be read", errno);
     const auto too_large = [&] {
-        throw InputError(file.string() + ": is larger than " + std::to_string(largest >> 20) + " MiB, the most that is read");
+        throw InputError(file.string() + ": is larger than " + std::to_string(largest >> 20) +
+                         " MiB, the most that is read");
     };
     // The size that the file says it has is a hint only: a pipe says nothing, and a file may grow meanwhile.
     std::error_code unknown;
@@ -63,14 +64,16 @@ std::string read_file(const std::filesystem::path& file, std::size_t largest) {
 void write_file(const std::filesystem::path& file, std::string_view bytes) {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(file, error);
-    if (file == "/dev/stdout") {  // the stream itself: where it is a plain file, a rename would replace that file, or the link
+    // The stream itself: where it is a plain file, a rename would replace that file, or the link.
+    if (file == "/dev/stdout") {
         errno = 0;
         if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0)
             fail("standard output", "cannot be written", errno);
         return;
     }
     if (std::filesystem::is_directory(status)) throw InputError(file.string() + ": is a folder, not a file");
-    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return write_all(file, file, bytes);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        return write_all(file, file, bytes);
 
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
     if (!std::filesystem::is_directory(folder, error))
