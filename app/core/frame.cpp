@@ -120,10 +120,10 @@ glm::mat3 shadow_disc(const WorldFromObject& m) {
 
 // The lowest point of object and ghost; a few thousand vertices tell it well enough, every frame.
 float ground_height(const Mesh& mesh, const WorldFromObject& m, bool ghost) {
-    double lowest = ghost ? -1.0 : 1e9;
+    double lowest = 1e9;
     const std::size_t step = 1 + mesh.positions.size() / 20000;
     for (std::size_t i = 0; i < mesh.positions.size(); i += step)
-        lowest = std::min(lowest, m(Point<Object>{mesh.positions[i]}).xyz.y);
+        lowest = std::min({lowest, m(Point<Object>{mesh.positions[i]}).xyz.y, ghost ? mesh.positions[i].y : 1e9});
     return static_cast<float>(std::clamp(lowest, -1e6, 1e6) - 0.01);
 }
 
