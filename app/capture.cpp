@@ -57,7 +57,9 @@ Capture capture(const Scene& scene, const CaptureOptions& options) {
     if (!gui && has_words(frame)) gui.emplace();
     if (gui) {
         Status status;
-        if (options.panel) status.errors = error_statistics(surface->mesh, world_from_object(scene).normal_matrices_by_rule());
+        const Transform<World, Object> m = world_from_object(scene);
+        if (const auto naive = normal_map(scene, m, Rule::Naive); naive && options.panel)
+            status.errors = error_statistics(surface->mesh, *naive, m.normal_matrices_by_rule());
         // Dear ImGui knows a window's size only after it has laid it out once.
         for (int round = 0; round < (options.panel ? 3 : 1); ++round)
             gui->layout(options.size, scene.theme, scale, [&] {

@@ -7,8 +7,11 @@
 #include "core/scene_json.h"
 #include "viewer.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <exception>
+#include <string>
 
 namespace normalscope {
 
@@ -20,13 +23,20 @@ Scene scene_for(const std::string& file, const std::vector<std::string>& setting
     return scene;
 }
 
+std::string padded(std::string text, std::size_t width) {
+    text.resize(std::max(text.size() + 1, width), ' ');
+    return text;
+}
+
 int run(const Printed& command) {
-    std::fputs(command.text.c_str(), stdout);
+    write_file("/dev/stdout", command.text);  // says so where it cannot be written
     return 0;
 }
 
 int run(const ScenesCommand&) {
-    for (const BuiltInScene& scene : built_in_scenes()) std::printf("%-14s %s\n", scene.name.c_str(), scene.about.c_str());
+    std::string list;
+    for (const BuiltInScene& scene : built_in_scenes()) list += padded(scene.name, 16) + scene.about + "\n";
+    write_file("/dev/stdout", list);
     return 0;
 }
 
@@ -46,8 +56,10 @@ int run(const CaptureCommand& command) {
 
 int run(const CompareCommand& command) { return compare(command); }
 
-int fail(int code, const char* reason) {
-    std::fprintf(stderr, "normalscope: %s\n", reason);
+// One line, whatever a file's name holds.
+int fail(int code, std::string reason) {
+    std::ranges::replace_if(reason, [](unsigned char c) { return std::iscntrl(c); }, ' ');
+    std::fprintf(stderr, "normalscope: %s\n", reason.c_str());
     return code;
 }
 

@@ -90,7 +90,8 @@ private:
 
     // The error statistics go over every normal: only when the matrix or the surface changed.
     std::shared_ptr<const Surface> measured_surface_;
-    glm::dmat3 measured_matrix_{0.0};
+    glm::dmat4 measured_matrix_{0.0};
+    std::optional<NormalMap> measured_map_;
     std::optional<ErrorStatistics> errors_;
 };
 
@@ -228,11 +229,13 @@ void Viewer::redraw() {
         target_.emplace(size, kSamples);
     }
     frame_ = frame_now(true);
-    const glm::dmat3 m3 = world_from_object(scene_).normal_matrices_by_rule().naive;
-    if (measured_surface_ != frame_->surface || measured_matrix_ != m3) {
+    const Transform<World, Object> m = world_from_object(scene_);
+    const std::optional<NormalMap> naive = normal_map(scene_, m, Rule::Naive);
+    if (measured_surface_ != frame_->surface || measured_matrix_ != m.matrix() || measured_map_ != naive) {
         measured_surface_ = frame_->surface;
-        measured_matrix_ = m3;
-        errors_ = error_statistics(frame_->surface->mesh, normal_matrices(m3));
+        measured_matrix_ = m.matrix();
+        measured_map_ = naive;
+        errors_ = naive ? error_statistics(frame_->surface->mesh, *naive, m.normal_matrices_by_rule()) : std::nullopt;
     }
 
     const Scene before = scene_;

@@ -10,9 +10,12 @@ uniform vec3 toward_light;
 uniform vec3 eye;
 uniform float outside;     // +1 or -1: the winding that the normals take for outside; 0: arrows and marks, always closed
 uniform vec3 inside_color;
+uniform float unit_at_pixels;  // 1: make interpolated normals of unit length again, as one should
+uniform float zero_is_black;   // 1: show a normal of length zero as the NaN that it would become
 uniform float ghost;       // 1: a glassy shell, clearest where one looks straight through
 #ifdef ERROR_MAP
-uniform mat3 naive_matrix;
+uniform mat4 naive_matrix;
+uniform float naive_w;
 uniform mat3 inverse_transpose_matrix;
 uniform vec3 ramp[6];
 #endif
@@ -27,7 +30,7 @@ vec3 to_srgb(vec3 c) { return sqrt(clamp(c, 0.0, 1.0)); }
 void main() {
     vec3 base = base_color.rgb;
 #ifdef ERROR_MAP
-    vec3 naive = naive_matrix * object_normal;
+    vec3 naive = (naive_matrix * vec4(object_normal, naive_w)).xyz;
     vec3 correct = inverse_transpose_matrix * object_normal;
     float at = atan(length(cross(naive, correct)), dot(naive, correct)) / 1.5707963 * 5.0;
     base = ramp[0];
@@ -35,10 +38,10 @@ void main() {
 #endif
     float size = length(world_normal);
     if (size == 0.0) {  // no normal, no light: flat colour says so
-        color = vec4(base, base_color.a);
+        color = vec4(base * (1.0 - zero_is_black), base_color.a);
         return;
     }
-    vec3 n = world_normal / size;
+    vec3 n = unit_at_pixels > 0.5 ? world_normal / size : world_normal;
     bool seen_from_inside = outside != 0.0 && gl_FrontFacing == (outside < 0.0);
     if (seen_from_inside) {
         n = -n;

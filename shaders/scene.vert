@@ -8,7 +8,10 @@ layout(location = 4) in vec3 site_normal;
 
 uniform mat4 clip_from_world;
 uniform mat4 world_from_object;
-uniform mat3 normal_matrix;
+uniform mat4 normal_matrix;      // to world space: the first three numbers of normal_matrix * (n, normal_w),
+uniform float normal_w;
+uniform float unit_at_pixels;
+uniform float unit_at_vertices;  // made of unit length here: 0 not, 1 without w, 2 with it
 uniform float arrow_length;  // 0: no arrow
 uniform float shaft_radius;
 uniform float head_length;
@@ -23,7 +26,10 @@ out vec3 object_normal;
 void main() {
     bool arrow = arrow_length > 0.0;
     vec4 world = world_from_object * vec4(arrow ? site_point : position, 1.0);
-    vec3 direction = normal_matrix * (arrow ? site_normal : normal);
+    vec4 sent = normal_matrix * vec4(arrow ? site_normal : normal, normal_w);
+    vec3 direction = sent.xyz;
+    float unit = unit_at_vertices < 0.5 ? 1.0 : unit_at_vertices < 1.5 ? length(direction) : length(sent);
+    if (unit > 0.0) direction /= unit;
     if (arrow) {
         // Base and direction go to world space by the matrices of the arrow's kind: dragging the object uploads nothing.
         float size = length(direction);
@@ -32,6 +38,8 @@ void main() {
         vec3 u = normalize(cross(helper, axis));
         vec3 v = cross(axis, u);
         float along = position.z < 0.5 ? 0.0 : position.z < 1.5 ? arrow_length - head_length : arrow_length;
+        // Normals that are left as long as they come out show it.
+        if (unit_at_vertices != 1.0 && unit_at_pixels < 0.5) along *= min(size, 3.0);
         vec3 offset = along * axis + shaft_radius * (position.x * u + position.y * v);
         world = vec4(world.xyz / world.w + (size > 0.0 ? offset : vec3(0.0)), 1.0);  // no direction, no arrow
         direction = normal.x * u + normal.y * v + normal.z * axis;

@@ -17,6 +17,7 @@ auto first_scale(const std::vector<StackEntry>& stack) {
 }  // namespace
 
 std::vector<AxisHandle> axis_handles(const Scene& scene, const glm::dvec3& extent) {
+    if (scene.stack_position) return {};  // half a scale has no knob to drag
     const auto scale = first_scale(scene.stack);
     const bool any = scale != scene.stack.end();
     const glm::dvec3 factors = any ? std::get<Scale>(*scale).factors : glm::dvec3(1.0);

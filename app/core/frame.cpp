@@ -32,6 +32,18 @@ M drawable(const M& m) {
     return result;
 }
 
+// Where only directions count, bring the entries near 1, so that floats neither overflow nor vanish.
+NormalMap scaled_for_floats(NormalMap map) {
+    if (map.at_vertices == NormalMap::UnitLength::No && !map.at_pixels) {
+        map.matrix = drawable(map.matrix);
+        return map;
+    }
+    double largest = 0.0;
+    for (int c = 0; c < 4; ++c) largest = std::max(largest, glm::length(glm::dvec3(map.matrix[c])));
+    if (largest > 0.0) map.matrix /= largest;
+    return map;
+}
+
 std::vector<Pane> empty_panes(const Scene& scene, const PixelRect& rect) {
     if (scene.view != ViewMode::Split)
         return {Pane{rect, scene.rule, CameraView(scene.camera, rect.size), {}, {}, {}, {}, {}}};
@@ -54,36 +66,33 @@ void add_surfaces(Pane& pane, const Scene& scene, const WorldFromObject& m, bool
     SurfaceDraw object;
     object.world_from_object = drawable(m.matrix());
     object.color = glm::vec4(colors.surface, 1.0f);
-    if (const auto n = matrices.by(pane.rule); n && (pane.rule != Rule::Cofactor || matrices.rank >= 2)) {
-        // Only directions count: bring the entries near 1 so that floats neither overflow nor vanish.
-        double largest = 0.0;
-        for (int c = 0; c < 3; ++c) largest = std::max(largest, glm::length((*n)[c]));
-        if (largest > 0.0) object.normal_matrix = *n / largest;
-    }
+    if (const auto map = normal_map(scene, m, pane.rule)) object.normals = scaled_for_floats(*map);
+    object.cull = scene.cull;
+    object.black_where_zero = scene.mistake == Mistake::ZeroNormal && pane.rule == Rule::Naive;
     // A reflection turns the picture's winding over. The gradient's outside stays; the cofactor's turns with it.
     object.outside = matrices.determinant < 0.0 && pane.rule != Rule::Cofactor ? -1.0f : 1.0f;
     // Flattened, front and back lie in the same place: neither is an inside to be shown.
     object.inside_color = matrices.rank < 3 ? colors.surface : colors.inside;
-    object.by_error = scene.color == SurfaceColor::Error && matrices.inverse_transpose.has_value();
+    object.by_error = scene.color == SurfaceColor::Error;
     pane.surfaces.push_back(object);
-    if (ghost)
-        pane.surfaces.push_back({.world_from_object = glm::mat4(1.0f), .normal_matrix = glm::mat3(1.0f), .color = glm::vec4(colors.ghost, 0.55f)});
+    if (!ghost) return;
+    SurfaceDraw shell;
+    shell.normals = NormalMap{};
+    shell.color = glm::vec4(colors.ghost, 0.55f);
+    pane.surfaces.push_back(shell);
 }
 
 void add_arrows(Pane& pane, const Scene& scene, const WorldFromObject& m) {
-    const NormalMatrices& matrices = m.normal_matrices_by_rule();
     const auto length = static_cast<float>(2.0 * scene.arrows.length);  // in diameters of the unit ball
-    const auto draw = [&](const glm::dmat4& points, const glm::dmat3& normals, ArrowKind kind) {
-        double largest = 0.0;
-        for (int c = 0; c < 3; ++c) largest = std::max(largest, glm::length(normals[c]));
-        pane.arrows.push_back({drawable(points), largest > 0.0 ? normals / largest : normals, arrow_color(kind, scene.theme),
-                               length, std::clamp(0.042f * length, 0.003f, 0.025f)});
+    const auto draw = [&](const glm::dmat4& points, const NormalMap& normals, ArrowKind kind) {
+        pane.arrows.push_back({drawable(points), scaled_for_floats(normals), arrow_color(kind, scene.theme), length,
+                               std::clamp(0.042f * length, 0.003f, 0.025f)});
     };
     for (const ArrowKind kind : shown_arrows(scene, pane.rule)) {
         if (kind == ArrowKind::Object) {
-            if (scene.show.ghost) draw(glm::dmat4(1.0), glm::dmat3(1.0), kind);
-        } else if (const auto n = matrices.by(kRules[static_cast<std::size_t>(kind) - 1])) {
-            draw(m.matrix(), *n, kind);
+            if (scene.show.ghost) draw(glm::dmat4(1.0), {}, kind);
+        } else if (const auto map = normal_map(scene, m, kRules[static_cast<std::size_t>(kind) - 1])) {
+            draw(m.matrix(), *map, kind);
         }
     }
 }
@@ -128,7 +137,7 @@ float ground_height(const Mesh& mesh, const WorldFromObject& m, bool ghost) {
 }
 
 void add_legend(Frame& frame, const Scene& scene, const NormalMatrices& matrices) {
-    frame.error_legend = scene.color == SurfaceColor::Error && matrices.inverse_transpose.has_value();
+    frame.error_legend = scene.color == SurfaceColor::Error && frame.error_maps.has_value();
     for (const ArrowKind kind : kArrowKinds) {
         const bool shown = std::ranges::any_of(frame.panes, [&](const Pane& pane) {
             return std::ranges::count(shown_arrows(scene, pane.rule), kind) > 0;
@@ -137,8 +146,10 @@ void add_legend(Frame& frame, const Scene& scene, const NormalMatrices& matrices
         std::string text = "n of the object";
         if (kind != ArrowKind::Object) {
             const Rule rule = kRules[static_cast<std::size_t>(kind) - 1];
-            constexpr std::array<std::string_view, 3> kTitles{"naive", "inverse transpose", "cofactor"};
-            text = std::string(kTitles[static_cast<std::size_t>(rule)]) + "  " + std::string(formula(rule));
+            const MistakeText mistake = normalscope::text(scene.mistake);
+            const std::array<std::string_view, 3> titles{mistake.title, "inverse transpose", "cofactor"};
+            text = std::string(titles[static_cast<std::size_t>(rule)]) + "  " +
+                   std::string(rule == Rule::Naive ? mistake.formula : formula(rule));
             if (!matrices.by(rule)) text += "  does not exist";
             else if (rule == Rule::Cofactor && matrices.rank < 2) text += "  is zero";
         }
@@ -163,8 +174,10 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     frame.theme = scene.theme;
     frame.surface = std::move(surface);
     frame.toward_light = toward(scene.light);
-    if (matrices.inverse_transpose) frame.error_matrices = std::array<glm::mat3, 2>{matrices.naive, *matrices.inverse_transpose};
-    const bool ghost = scene.show.ghost && scene.view == ViewMode::Overlay && !scene.stack.empty();
+    if (const auto wrong = normal_map(scene, m, Rule::Naive), right = normal_map(scene, m, Rule::InverseTranspose); wrong && right)
+        frame.error_maps = {scaled_for_floats(*wrong), scaled_for_floats(*right)};
+    // At rest on the object, the ghost would only flicker.
+    const bool ghost = scene.show.ghost && scene.view == ViewMode::Overlay && m.matrix() != glm::dmat4(1.0);
     if (scene.show.grid) frame.ground_height = ground_height(frame.surface->mesh, m, ghost);
     frame.shadow_from_ground = shadow_disc(m);
     frame.panes = empty_panes(scene, options.rect);
@@ -172,7 +185,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     std::optional<Probe> probe;
     if (scene.probe) probe = nearest_probe(frame.surface->mesh, *scene.probe);
     else probe = probe_in_view(frame.surface->mesh, m, frame.panes.front().view, 0.5 * glm::dvec2(frame.panes.front().rect.size));
-    if (probe) frame.probe = in_world(*probe, m);
+    if (probe) frame.probe = in_world(*probe, m, scene);
 
     for (Pane& pane : frame.panes) {
         add_surfaces(pane, scene, m, ghost);
@@ -180,9 +193,12 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         if (scene.show.axes) add_axes(pane, scene, frame.surface->extent, options);
         if (frame.probe) add_probe_marks(pane, scene, *frame.probe, options);
         if (scene.view == ViewMode::Split) {
-            constexpr std::array<std::string_view, 3> kTitles{"Naive", "Inverse transpose", "Cofactor"};
+            const MistakeText mistake = normalscope::text(scene.mistake);
+            const bool other = scene.mistake != Mistake::Naive;
+            const std::array<std::string_view, 3> titles{other ? mistake.title : "Naive", "Inverse transpose", "Cofactor"};
             pane.labels.push_back({Label::Role::Title, glm::vec2(pane.rect.origin) + glm::vec2(0.5f * static_cast<float>(pane.rect.size.x), 0.0f),
-                                   std::string(kTitles[static_cast<std::size_t>(pane.rule)]) + "   " + std::string(formula(pane.rule)),
+                                   std::string(titles[static_cast<std::size_t>(pane.rule)]) + "   " +
+                                       std::string(pane.rule == Rule::Naive ? mistake.formula : formula(pane.rule)),
                                    rule_color(pane.rule)});
         }
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/camera.h"
+#include "core/mistakes.h"
 #include "core/palette.h"
 #include "core/probe.h"
 #include "core/scene.h"
@@ -27,18 +28,20 @@ struct PixelRect {
 /// The mesh drawn once, by one matrix.
 struct SurfaceDraw {
     glm::mat4 world_from_object{1.0f};
-    std::optional<glm::mat3> normal_matrix;  ///< empty: no normals, so no shading
-    /// +1 or −1: what turns the winding that the picture shows into the side that `normal_matrix` takes for outside.
+    std::optional<NormalMap> normals;  ///< empty: no normals, so no shading
+    /// +1 or −1: what turns the winding that the picture shows into the side that `normals` take for outside.
     float outside = 1.0f;
     glm::vec4 color{1.0f};         ///< alpha below 1: a ghost
     glm::vec3 inside_color{1.0f};  ///< of the back of an open surface
+    bool cull = false;             ///< leave out what the picture's winding shows from its back
+    bool black_where_zero = false; ///< as NaN would look, where a normal comes out zero
     bool by_error = false;         ///< coloured by the naive rule's error instead
 };
 
 /// The surface's arrows drawn once: bases by one matrix, directions by another, length and radius in world units.
 struct ArrowDraw {
     glm::mat4 world_from_object{1.0f};
-    glm::mat3 normal_matrix{1.0f};
+    NormalMap normals;
     glm::vec3 color{1.0f};
     float length = 0.1f;
     float radius = 0.01f;
@@ -84,8 +87,8 @@ struct Frame {
     std::shared_ptr<const Surface> surface;
     std::vector<Pane> panes;
     glm::vec3 toward_light{0.0f, 1.0f, 0.0f};
-    /// M3 and (M3⁻¹)ᵀ for the error map; empty where there is no inverse.
-    std::optional<std::array<glm::mat3, 2>> error_matrices;
+    /// The naive rule's map and the true one, for the error map; empty where either does not exist.
+    std::optional<std::array<NormalMap, 2>> error_maps;
     std::optional<float> ground_height;          ///< of the grid; empty: no grid
     glm::mat3 shadow_from_ground{0.0f};          ///< (x, z, 1) to a disc that is 1 where the object's shadow ends
     std::vector<LegendEntry> legend;

@@ -22,6 +22,8 @@ Json probe_json(const ProbeInWorld& p) {
     j["dots"] = json_by_rule(p.dots, [](const auto& d) {
         return json_or_null(d, [](const auto& v) { return Json::array({json_number(v[0]), json_number(v[1])}); });
     });
+    j["f"] = nullptr;  // formulas only
+    j["gradient"] = nullptr;
     return j;
 }
 
@@ -30,7 +32,8 @@ Json probe_json(const ProbeInWorld& p) {
 Json numbers_json(const Scene& scene, const Frame& frame, const std::optional<Drawn>& drawn) {
     const Transform<World, Object> m = world_from_object(scene);
     const NormalMatrices& matrices = m.normal_matrices_by_rule();
-    const auto errors = error_statistics(frame.surface->mesh, matrices);
+    const auto mistaken = normal_map(scene, m, Rule::Naive);
+    const auto errors = mistaken ? error_statistics(frame.surface->mesh, *mistaken, matrices) : std::nullopt;
 
     Json j;
     j["renderer"] = drawn ? Json(drawn->renderer) : Json(nullptr);

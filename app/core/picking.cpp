@@ -30,7 +30,7 @@ ArrowHit nearest_arrow(const Frame& frame, const Pane& pane, glm::dvec2 pixel, d
     ArrowHit hit;
     for (const ArrowDraw& draw : pane.arrows)
         for (const Site& site : frame.surface->arrows) {
-            const glm::dvec3 direction = glm::dmat3(draw.normal_matrix) * site.normal.xyz;
+            const glm::dvec3 direction = draw.normals(site.normal).xyz;
             if (!(glm::length(direction) > 0.0)) continue;
             const glm::dvec4 h = glm::dmat4(draw.world_from_object) * glm::dvec4(site.point.xyz, 1.0);
             const glm::dvec3 base = glm::dvec3(h) / h.w;

@@ -1,6 +1,6 @@
 #include "core/probe.h"
 
-#include "core/surface.h"
+#include "core/mistakes.h"
 
 #include <glm/common.hpp>
 
@@ -57,16 +57,26 @@ glm::dvec3 nearest_barycentric(const glm::dvec3& a, const glm::dvec3& b, const g
 }  // namespace
 
 ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& worldFromObject) {
+    return in_world(probe, worldFromObject, Scene{});
+}
+
+ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& worldFromObject, const Scene& scene) {
     ProbeInWorld result;
     result.object = probe;
     result.point = worldFromObject(probe.point);
-    for (std::size_t k = 0; k < 2; ++k) result.tangents[k] = worldFromObject(probe.tangents[k]);
+    const glm::dmat3 tangents = tangent_matrix(scene, worldFromObject);
+    for (std::size_t k = 0; k < 2; ++k) result.tangents[k] = {tangents * probe.tangents[k].xyz};
     for (std::size_t r = 0; r < kRules.size(); ++r) {
-        const std::optional<Normal<World>> n = transform_normal(worldFromObject, probe.normal, kRules[r]);
+        std::optional<Normal<World>> n = transform_normal(worldFromObject, probe.normal, kRules[r]);
+        if (kRules[r] == Rule::Naive && scene.mistake != Mistake::Naive) {
+            const std::optional<NormalMap> map = normal_map(scene, worldFromObject, Rule::Naive);
+            n = map ? std::optional((*map)(probe.normal)) : std::nullopt;
+        }
         result.normals[r] = n;
         if (n) result.dots[r] = std::array{dot(*n, result.tangents[0]), dot(*n, result.tangents[1])};
     }
-    result.error_degrees = error_degrees(worldFromObject.normal_matrices_by_rule(), probe.normal);
+    if (const auto right = worldFromObject(probe.normal); right && result.normals[0])
+        result.error_degrees = angle_degrees(result.normals[0]->xyz, right->xyz);
     return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/camera.h"
 #include "core/mesh.h"
+#include "core/scene.h"
 #include "core/transform.h"
 
 #include <array>
@@ -29,6 +30,8 @@ struct ProbeInWorld {
 };
 
 ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& worldFromObject);
+/// The same as the scene has it, with its mistake in the naive rule's place.
+ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& worldFromObject, const Scene& scene);
 
 struct SurfaceHit {
     Probe probe;

@@ -47,6 +47,23 @@ struct Arrows {
     friend bool operator==(const Arrows&, const Arrows&) = default;
 };
 
+/// What stands in the naive rule's place: that rule itself, or another mistake that programs make with normals, to be
+/// held against the right rule (core/mistakes.h tells how each comes about).
+enum class Mistake {
+    Naive,
+    InversesNotReversed,
+    NotTransposed,
+    NotInverted,
+    WOne,
+    LeakingTranslation,
+    ModelView,
+    DivideByScaleSquared,
+    NoRenormalisation,
+    ZeroNormal,
+    TangentsByInverseTranspose,
+    TangentsByCofactor,
+};
+
 /// Where the light comes from, in degrees as the camera's angles; it does not move with the camera.
 struct Light {
     double azimuth = -25.0;
@@ -62,6 +79,7 @@ struct Shown {
     bool tangent_plane = true;  ///< at the probe, with the right-angle marks
     bool probe = true;          ///< the probe's own arrows, arc and labels
     bool legend = true;
+    bool stretch_axes = false;  ///< the perpendicular directions that M only stretches, and the normals it treats worst
     friend bool operator==(const Shown&, const Shown&) = default;
 };
 
@@ -70,12 +88,17 @@ struct Scene {
     std::string about;  ///< one line that says what the scene shows
     SurfaceSource surface;
     std::vector<StackEntry> stack;
+    /// How many entries of the stack are applied, a fraction meaning part of the next; empty: all.
+    std::optional<double> stack_position;
     Rule rule = Rule::InverseTranspose;
+    Mistake mistake = Mistake::Naive;
     ViewMode view = ViewMode::Overlay;
     Arrows arrows;
     Camera camera;
     Light light;
     SurfaceColor color = SurfaceColor::Lit;
+    bool renormalise = true;  ///< make interpolated normals unit again at each pixel
+    bool cull = false;        ///< leave out triangles whose winding shows their back, as the picture has it
     Theme theme = Theme::Light;
     Shown show;
     /// A point in object space; the probe is the surface's point nearest to it. Empty: what the camera sees nearest
@@ -87,6 +110,9 @@ struct Scene {
 
 /// The arrows that a view shows for the rule that shades it: the scene's own choice, or the default one.
 std::vector<ArrowKind> shown_arrows(const Scene& scene, Rule pane_rule);
+
+/// The entries as far as `stack_position`, the last one in part where that is between two.
+std::vector<StackEntry> applied_stack(const Scene& scene);
 
 /// M, with everything that follows from it. Throws InputError where the product overflows.
 Transform<World, Object> world_from_object(const Scene& scene);

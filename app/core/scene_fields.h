@@ -43,6 +43,21 @@ inline constexpr std::array kRuleNames{EnumName<Rule>{Rule::Naive, "naive"},
                                        EnumName<Rule>{Rule::InverseTranspose, "inverse-transpose"},
                                        EnumName<Rule>{Rule::Cofactor, "cofactor"}};
 
+inline constexpr std::array kMistakeNames{
+    EnumName<Mistake>{Mistake::Naive, "naive"},
+    EnumName<Mistake>{Mistake::InversesNotReversed, "inverses-not-reversed"},
+    EnumName<Mistake>{Mistake::NotTransposed, "not-transposed"},
+    EnumName<Mistake>{Mistake::NotInverted, "not-inverted"},
+    EnumName<Mistake>{Mistake::WOne, "w-one"},
+    EnumName<Mistake>{Mistake::LeakingTranslation, "leaking-translation"},
+    EnumName<Mistake>{Mistake::ModelView, "mat3-model-view"},
+    EnumName<Mistake>{Mistake::DivideByScaleSquared, "divide-by-scale-squared"},
+    EnumName<Mistake>{Mistake::NoRenormalisation, "no-renormalisation"},
+    EnumName<Mistake>{Mistake::ZeroNormal, "zero-normal"},
+    EnumName<Mistake>{Mistake::TangentsByInverseTranspose, "tangents-by-inverse-transpose"},
+    EnumName<Mistake>{Mistake::TangentsByCofactor, "tangents-by-cofactor"}};
+
+constexpr const auto& names_of(Mistake) { return kMistakeNames; }
 constexpr const auto& names_of(Shape) { return kShapeNames; }
 constexpr const auto& names_of(ViewMode) { return kViewNames; }
 constexpr const auto& names_of(ArrowPlacement) { return kPlacementNames; }
@@ -107,18 +122,23 @@ void fields(F& f, S& s) {
     f("tangent_plane", s.tangent_plane);
     f("probe", s.probe);
     f("legend", s.legend);
+    f("stretch_axes", s.stretch_axes);
 }
 template <class F, Is<Scene> S>
 void fields(F& f, S& s) {
     f("about", s.about);
     f("surface", s.surface);
     f("stack", s.stack);
+    f("stack_position", s.stack_position, Range{0, kMostStackEntries});
     f("rule", s.rule);
+    f("mistake", s.mistake);
     f("view", s.view);
     f("arrows", s.arrows);
     f("camera", s.camera);
     f("light", s.light);
     f("color", s.color);
+    f("renormalise", s.renormalise);
+    f("cull", s.cull);
     f("theme", s.theme);
     f("show", s.show);
     f("probe", s.probe);

@@ -186,8 +186,8 @@ void read(const Json& j, const std::string& path, E& v) {
     for (const auto& [e, n] : names_of(v)) valid.emplace_back(n);
     fail_type(path, "one of " + joined(valid), j);
 }
-template <class T>
-void read(const Json& j, const std::string& path, std::optional<T>& v);
+template <class T, class... R>
+void read(const Json& j, const std::string& path, std::optional<T>& v, R... range);
 template <class T>
 void read(const Json& j, const std::string& path, std::vector<T>& v);
 void read(const Json& j, const std::string& path, SurfaceSource& v);
@@ -213,10 +213,10 @@ struct Reader {
     }
 };
 
-template <class T>
-void read(const Json& j, const std::string& path, std::optional<T>& v) {
+template <class T, class... R>
+void read(const Json& j, const std::string& path, std::optional<T>& v, R... range) {
     if (j.is_null()) v.reset();
-    else read(j, path, v.emplace());
+    else read(j, path, v.emplace(), range...);
 }
 template <class T>
 void read(const Json& j, const std::string& path, std::vector<T>& v) {
@@ -453,6 +453,7 @@ std::string_view name(Shape v) { return enum_name(v); }
 std::string_view name(ViewMode v) { return enum_name(v); }
 std::string_view name(ArrowPlacement v) { return enum_name(v); }
 std::string_view name(ArrowKind v) { return enum_name(v); }
+std::string_view name(Mistake v) { return enum_name(v); }
 std::string_view name(SurfaceColor v) { return enum_name(v); }
 std::string_view name(Theme v) { return enum_name(v); }
 

@@ -43,6 +43,7 @@ std::string_view name(Shape);
 std::string_view name(ViewMode);
 std::string_view name(ArrowPlacement);
 std::string_view name(ArrowKind);
+std::string_view name(Mistake);
 std::string_view name(SurfaceColor);
 std::string_view name(Theme);
 

@@ -57,6 +57,21 @@ glm::dmat4 matrix(const StackEntry& entry) {
         entry);
 }
 
+StackEntry partly(const StackEntry& entry, double part) {
+    const auto from_one = [&](const auto& to) { return (1.0 - part) * std::decay_t<decltype(to)>(1.0) + part * to; };
+    return std::visit(
+        Overload{
+            [&](const Scale& s) -> StackEntry { return Scale{from_one(s.factors)}; },
+            [&](const Rotate& r) -> StackEntry { return Rotate{r.axis, part * r.degrees}; },
+            [&](const Translate& t) -> StackEntry { return Translate{part * t.offset}; },
+            [&](const Shear& s) -> StackEntry {
+                return Shear{part * s.xy, part * s.xz, part * s.yx, part * s.yz, part * s.zx, part * s.zy};
+            },
+            [&](const Matrix& m) -> StackEntry { return Matrix{from_one(m.matrix)}; },
+        },
+        entry);
+}
+
 glm::dmat4 product(std::span<const StackEntry> stack) {
     glm::dmat4 m(1.0);
     for (const StackEntry& entry : stack) m = matrix(entry) * m;

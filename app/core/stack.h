@@ -39,6 +39,8 @@ using StackEntry = std::variant<Scale, Rotate, Translate, Shear, Matrix>;
 
 /// "scale", "rotate", "translate", "shear" or "matrix".
 std::string_view name(const StackEntry& entry);
+/// Part of the entry's way from doing nothing (0) to all that it does (1): angles, offsets and factors grow evenly.
+StackEntry partly(const StackEntry& entry, double part);
 /// The entry's 4×4 matrix.
 glm::dmat4 matrix(const StackEntry& entry);
 /// The product of the entries, the first of which acts on the object first: M = last … first.

@@ -97,4 +97,24 @@ std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMa
     return statistics;
 }
 
+std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMap& naive, const NormalMatrices& matrices) {
+    if (!matrices.inverse_transpose) return std::nullopt;
+    if (naive == NormalMap{.matrix = glm::dmat4(matrices.naive)}) return error_statistics(mesh, matrices);
+    ErrorStatistics statistics;
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+        const auto error = angle_degrees(naive({mesh.normals[i]}).xyz, *matrices.inverse_transpose * mesh.normals[i]);
+        if (!error) continue;
+        sum += *error;
+        if (count++ == 0 || *error > statistics.worst_degrees) {
+            statistics.worst_degrees = *error;
+            statistics.at = {mesh.positions[i]};
+        }
+    }
+    if (count == 0) return std::nullopt;
+    statistics.mean_degrees = sum / static_cast<double>(count);
+    return statistics;
+}
+
 }  // namespace normalscope

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/mesh.h"
+#include "core/mistakes.h"
 #include "core/scene.h"
 
 #include <memory>
@@ -44,6 +45,9 @@ struct ErrorStatistics {
 
 /// Empty where the inverse transpose does not exist, or the surface has no normal.
 std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMatrices& matrices);
+
+/// The same for another map in the naive rule's place, such as a scene's mistake.
+std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMap& naive, const NormalMatrices& matrices);
 
 /// The angle between the naive and the true image of `n`; empty where either does not exist.
 std::optional<double> error_degrees(const NormalMatrices& matrices, Normal<Object> n);

@@ -25,7 +25,11 @@ struct SceneProgram : Program {
 
     Slot<glm::mat4> clip_from_world{*this, "clip_from_world"};
     Slot<glm::mat4> world_from_object{*this, "world_from_object"};
-    Slot<glm::mat3> normal_matrix{*this, "normal_matrix"};
+    Slot<glm::mat4> normal_matrix{*this, "normal_matrix"};
+    Slot<float> normal_w{*this, "normal_w"};
+    Slot<float> unit_at_vertices{*this, "unit_at_vertices"};
+    Slot<float> unit_at_pixels{*this, "unit_at_pixels"};
+    Slot<float> zero_is_black{*this, "zero_is_black"};
     Slot<float> arrow_length{*this, "arrow_length"};
     Slot<float> shaft_radius{*this, "shaft_radius"};
     Slot<float> head_length{*this, "head_length"};
@@ -40,7 +44,8 @@ struct SceneProgram : Program {
 struct ErrorMapProgram : SceneProgram {
     ErrorMapProgram() : SceneProgram("ERROR_MAP") {}
 
-    Slot<glm::mat3> naive_matrix{*this, "naive_matrix"};
+    Slot<glm::mat4> naive_matrix{*this, "naive_matrix"};
+    Slot<float> naive_w{*this, "naive_w"};
     Slot<glm::mat3> inverse_transpose_matrix{*this, "inverse_transpose_matrix"};
     Slot<std::span<const glm::vec3>> ramp{*this, "ramp"};
 };

@@ -36,6 +36,7 @@ struct Renderer::Resources {
 
 private:
     void begin(const SceneProgram& program, const Frame& frame, const Pane& pane) const;
+    static void set_normals(const SceneProgram& program, const NormalMap& normals);
 };
 
 void Renderer::Resources::begin(const SceneProgram& program, const Frame& frame, const Pane& pane) const {
@@ -46,6 +47,14 @@ void Renderer::Resources::begin(const SceneProgram& program, const Frame& frame,
     program.ghost = 0.0f;
     program.arrow_length = 0.0f;
     program.outside = 0.0f;
+    program.zero_is_black = 0.0f;
+}
+
+void Renderer::Resources::set_normals(const SceneProgram& program, const NormalMap& normals) {
+    program.normal_matrix = normals.matrix;
+    program.normal_w = static_cast<float>(normals.w);
+    program.unit_at_vertices = static_cast<float>(normals.at_vertices);
+    program.unit_at_pixels = normals.at_pixels ? 1.0f : 0.0f;
 }
 
 void Renderer::Resources::draw_backdrop(const Frame& frame, const Pane& pane) {
@@ -66,26 +75,27 @@ void Renderer::Resources::draw_backdrop(const Frame& frame, const Pane& pane) {
 
 void Renderer::Resources::draw_surface(const Frame& frame, const Pane& pane, const SurfaceDraw& draw) {
     const SceneProgram* program = &scene_program;
-    if (draw.by_error && frame.error_matrices) {
+    if (draw.by_error && frame.error_maps) {
         if (!error_map_program) error_map_program.emplace();
         program = &*error_map_program;
     }
     begin(*program, frame, pane);
     if (program != &scene_program) {
-        error_map_program->naive_matrix = (*frame.error_matrices)[0];
-        error_map_program->inverse_transpose_matrix = (*frame.error_matrices)[1];
+        const auto& [naive, right] = *frame.error_maps;
+        error_map_program->naive_matrix = naive.matrix;
+        error_map_program->naive_w = static_cast<float>(naive.w);
+        error_map_program->inverse_transpose_matrix = glm::dmat3(right.matrix);
         error_map_program->ramp = std::span<const glm::vec3>(kErrorRamp);
     }
     program->world_from_object = draw.world_from_object;
-    program->normal_matrix = draw.normal_matrix.value_or(glm::mat3(0.0f));
+    set_normals(*program, draw.normals.value_or(NormalMap{.matrix = glm::dmat4(0.0)}));
+    program->zero_is_black = draw.black_where_zero ? 1.0f : 0.0f;
     program->outside = draw.outside;
     program->inside_color = draw.inside_color;
     set_tint(draw.color);
     const bool ghost = draw.color.a < 1.0f;
-    if (!ghost) return mesh->draw();
-
-    program->ghost = 1.0f;
-    glEnable(GL_CULL_FACE);
+    program->ghost = ghost ? 1.0f : 0.0f;
+    if (ghost || draw.cull) glEnable(GL_CULL_FACE);
     mesh->draw();
     glDisable(GL_CULL_FACE);
 }
@@ -96,7 +106,7 @@ void Renderer::Resources::draw_arrows(const Frame& frame, const Pane& pane) {
     glEnable(GL_CULL_FACE);
     for (const ArrowDraw& draw : pane.arrows) {
         scene_program.world_from_object = draw.world_from_object;
-        scene_program.normal_matrix = draw.normal_matrix;
+        set_normals(scene_program, draw.normals);
         set_tint(glm::vec4(draw.color, 1.0f));
         scene_program.arrow_length = draw.length;
         scene_program.shaft_radius = draw.radius;
@@ -109,7 +119,7 @@ void Renderer::Resources::draw_arrows(const Frame& frame, const Pane& pane) {
 void Renderer::Resources::draw_solids(const Frame& frame, const Pane& pane, const std::vector<SolidVertex>& vertices) {
     begin(scene_program, frame, pane);
     scene_program.world_from_object = glm::mat4(1.0f);
-    scene_program.normal_matrix = glm::mat3(1.0f);
+    set_normals(scene_program, {});
     solids.draw(vertices);
 }
 

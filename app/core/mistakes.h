@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/scene.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace normalscope {
+
+/// How a program sends normals to world space and what it does about their length: the first three numbers of
+/// matrix · (n, w), then made of unit length at the vertices, at each pixel, or not at all.
+struct NormalMap {
+    enum class UnitLength { No, WithoutW, WithW };
+
+    glm::dmat4 matrix{1.0};
+    double w = 0.0;
+    UnitLength at_vertices = UnitLength::No;
+    bool at_pixels = true;
+
+    Normal<World> operator()(Normal<Object> n) const { return {glm::dvec3(matrix * glm::dvec4(n.xyz, w))}; }
+    friend bool operator==(const NormalMap&, const NormalMap&) = default;
+};
+
+/// The map that a rule stands for in this scene; empty where the rule gives no normal at all. For Rule::Naive it is
+/// the scene's mistake.
+std::optional<NormalMap> normal_map(const Scene& scene, const Transform<World, Object>& worldFromObject, Rule rule);
+
+/// The 3×3 matrix that the scene sends tangents through: M3, unless its mistake is about tangents and is being shown.
+glm::dmat3 tangent_matrix(const Scene& scene, const Transform<World, Object>& worldFromObject);
+
+/// A mistake's short title, what it looks like as a formula, and why it is one: for labels and for the panel.
+struct MistakeText {
+    std::string_view title, formula, reason;
+};
+MistakeText text(Mistake mistake);
+
+}  // namespace normalscope
