@@ -52,7 +52,8 @@ std::vector<Step> derive(const Parts& p) {
     add("same-direction", m3t_n, p.n_obj,
         "this holds for every tangent v_obj, so M₃ᵀ n_world is perpendicular to the surface, as n_obj is; "
         "only the direction counts, so let them be equal");
-    add("solved", p.n_world, multiplied({inverted(m3t, p.rank), p.n_obj}), "multiply by the inverse of M₃ᵀ from the left");
+    add("solved", p.n_world, multiplied({inverted(m3t, p.rank), p.n_obj}),
+        "multiply by the inverse of M₃ᵀ from the left");
     add("rule", p.n_world, multiplied({transposed(inverted(p.m3, p.rank)), p.n_obj}),
         "inverting and transposing may change places: (Aᵀ)⁻¹ = (A⁻¹)ᵀ");
     return steps;
@@ -73,17 +74,21 @@ void remark(std::vector<Step>& steps, const Parts& p, const std::optional<Rule>&
     const std::string rank = "M₃ has rank " + std::to_string(p.rank);
     if (by) {
         at("wanted").remark = rank + ": n_world is the cofactor's here, cof(M₃) n_obj, which exists without an inverse";
-        at("same-direction").remark = rank + ": M₃ᵀ n_world is 0, which is perpendicular to every v_obj, and no n_world makes it n_obj; "
-                                             "here the derivation stops";
+        at("same-direction").remark =
+            rank +
+            ": M₃ᵀ n_world is 0, which is perpendicular to every v_obj, and no n_world makes it n_obj; "
+            "here the derivation stops";
     } else {
-        at("wanted").remark = p.rank == 2 ? rank + ", and the tangent plane is flattened to a line here: it has no one normal"
+        at("wanted").remark = p.rank == 2
+                                  ? rank + ", and the tangent plane is flattened to a line here: it has no one normal"
                               : p.rank == 1 ? rank + ": the surface is flattened to a line, which has no one normal"
                                             : rank + ": the surface is gone to a point, which has no normal";
     }
     at("solved").remark = rank + ": there is no inverse";
 }
 
-RuleCheck check(Rule rule, const std::optional<Value>& n, const std::array<std::optional<Value>, 2>& v, const std::optional<Value>& truth) {
+RuleCheck check(Rule rule, const std::optional<Value>& n, const std::array<std::optional<Value>, 2>& v,
+                const std::optional<Value>& truth) {
     const auto vec = [](const Value& value) { return glm::dvec3(value(0, 0), value(1, 0), value(2, 0)); };
     RuleCheck result;
     result.rule = rule;
@@ -97,21 +102,27 @@ RuleCheck check(Rule rule, const std::optional<Value>& n, const std::array<std::
     if (truth) {
         result.degrees_off = angle_degrees(vec(*result.normal), vec(*truth));
         // The cofactor's normal may point to the other side, by its own convention: that is not off.
-        if (result.degrees_off && rule == Rule::Cofactor && *result.degrees_off > 90.0) *result.degrees_off = 180.0 - *result.degrees_off;
+        if (result.degrees_off && rule == Rule::Cofactor && *result.degrees_off > 90.0)
+            *result.degrees_off = 180.0 - *result.degrees_off;
     }
     return result;
 }
 
-HomogeneousDemo homogeneous(const Transform<World, Object>& m, int factors, const std::optional<Probe>& probe, std::size_t tangent) {
+HomogeneousDemo homogeneous(const Transform<World, Object>& m, int factors, const std::optional<Probe>& probe,
+                            std::size_t tangent) {
     HomogeneousDemo demo;
     demo.m = value_of(m.matrix(), factors);
-    demo.reason = "the last column of M, the translation, is multiplied by w: by 1 for a point, by 0 for a vector. A normal "
-                  "is no point: sent with w = 1 it would pick up the translation";
+    demo.reason =
+        "the last column of M, the translation, is multiplied by w: by 1 for a point, by 0 for a vector. A normal "
+        "is no point: sent with w = 1 it would pick up the translation";
     if (!is_affine(m.matrix()))
-        demo.reason = "the bottom row of M is not 0 0 0 1, so M is not affine: it gives a point's w another value, which is divided "
-                      "out, and what it does to a tangent depends on the place. What is said of M₃ does not hold for all of M";
+        demo.reason =
+            "the bottom row of M is not 0 0 0 1, so M is not affine: it gives a point's w another value, which is "
+            "divided "
+            "out, and what it does to a tangent depends on the place. What is said of M₃ does not hold for all of M";
     if (!probe) return demo;
-    demo.before = {value_of(glm::dvec4(probe->point.xyz, 1.0)), value_of(glm::dvec4(probe->tangents[tangent].xyz, 0.0))};
+    demo.before = {value_of(glm::dvec4(probe->point.xyz, 1.0)),
+                   value_of(glm::dvec4(probe->tangents[tangent].xyz, 0.0))};
     for (std::size_t i = 0; i < 2; ++i) demo.after[i] = product(demo.m, *demo.before[i]);
     demo.normal_as_point = product(demo.m, value_of(glm::dvec4(probe->normal.xyz, 1.0)));
     return demo;
@@ -128,15 +139,16 @@ bool is_affine(const glm::dmat4& m) {
     return m[0].w == 0.0 && m[1].w == 0.0 && m[2].w == 0.0 && std::abs(m[3].w - 1.0) <= 1e-12;
 }
 
-Derivation derivation(const Transform<World, Object>& worldFromObject, int factors, const std::optional<Probe>& probe, std::size_t tangent) {
+Derivation derivation(const Transform<World, Object>& worldFromObject, int factors, const std::optional<Probe>& probe,
+                      std::size_t tangent) {
     const NormalMatrices& matrices = worldFromObject.normal_matrices_by_rule();
     const Value m3 = value_of(matrices.naive, factors);
     std::optional<Value> n_obj;
     std::array<std::optional<Value>, 2> v_obj, v_world;
     if (probe) {
-        n_obj = value_of(probe->normal.xyz, true);
+        n_obj = value_of(probe->normal.xyz);
         for (std::size_t k = 0; k < 2; ++k) {
-            v_obj[k] = value_of(probe->tangents[k].xyz, true);
+            v_obj[k] = value_of(probe->tangents[k].xyz);
             v_world[k] = times(m3, v_obj[k]);
         }
     }

@@ -34,18 +34,18 @@ std::string_view name(Step::State state);  ///< "holds", "fails", "no-value"
 /// One rule's normal, held against the tangents.
 struct RuleCheck {
     Rule rule = Rule::Naive;
-    std::optional<Value> normal;                           ///< in world space, not normalised; empty where there is none, or it is zero
+    std::optional<Value> normal;  ///< in world space, not normalised; empty where there is none, or it is zero
     std::array<std::optional<Value>, 2> dots;              ///< n_world · v_world
     std::array<std::optional<double>, 2> degrees_between;  ///< normal and tangent: 90° where it is right
-    std::optional<double> degrees_off;                     ///< from the true normal's direction (either sign for the cofactor's)
+    std::optional<double> degrees_off;  ///< from the true normal's direction (either sign for the cofactor's)
 };
 
 /// Why translation drops out: M acting on a point, with w = 1, and on a vector, with w = 0.
 struct HomogeneousDemo {
-    Value m;                                       ///< 4×4
-    std::array<std::optional<Value>, 2> before;    ///< point, vector, in object space
-    std::array<std::optional<Value>, 2> after;     ///< M times these
-    std::optional<Value> normal_as_point;          ///< M times (n_obj, 1): the translation leaks in
+    Value m;                                     ///< 4×4
+    std::array<std::optional<Value>, 2> before;  ///< point, vector, in object space
+    std::array<std::optional<Value>, 2> after;   ///< M times these
+    std::optional<Value> normal_as_point;        ///< M times (n_obj, 1): the translation leaks in
     std::string reason;
 };
 

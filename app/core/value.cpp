@@ -21,14 +21,18 @@ bool finite(const Value& v) {
     return true;
 }
 
+// The length of a vector says what its smallest component can be known to.
 template <class V>
 Value column(const V& vector) {
     Value result;
     result.rows = V::length();
-    for (int r = 0; r < result.rows; ++r) result.entries[static_cast<std::size_t>(r)] = vector[r];
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        result.terms[i] = std::abs(result.entries[i]);
-        result.error[i] = kEpsilon * result.terms[i];
+    double largest = 0.0;
+    for (int r = 0; r < 3; ++r) largest = std::max(largest, std::abs(vector[r]));
+    for (int r = 0; r < result.rows; ++r) {
+        const auto i = static_cast<std::size_t>(r);
+        result.entries[i] = vector[r];
+        result.terms[i] = std::abs(vector[r]);
+        result.error[i] = r < 3 ? 8.0 * kEpsilon * largest : 0.0;
     }
     return result;
 }
@@ -86,12 +90,7 @@ Value value_of(double number) {
     return result;
 }
 
-Value value_of(const glm::dvec3& vector, bool unit) {
-    Value result = column(vector);
-    if (unit)
-        for (std::size_t i = 0; i < 3; ++i) result.error[i] = 4.0 * kEpsilon;
-    return result;
-}
+Value value_of(const glm::dvec3& vector) { return column(vector); }
 Value value_of(const glm::dvec4& vector) { return column(vector); }
 Value value_of(const glm::dmat3& matrix, int factors) { return square(matrix, factors); }
 Value value_of(const glm::dmat4& matrix, int factors) { return square(matrix, factors); }
@@ -149,7 +148,8 @@ Value cofactor(const Value& a, int rank_at_most) {
                 return std::abs(a(i, j)) * a.error[a.index(k, l)] + a.error[a.index(i, j)] * std::abs(a(k, l));
             };
             const std::size_t at = result.index(r, c);
-            result.error[at] = 2.0 * kEpsilon * std::abs(result.entries[at]) + inherited(r1, c1, r2, c2) + inherited(r1, c2, r2, c1);
+            result.error[at] =
+                2.0 * kEpsilon * std::abs(result.entries[at]) + inherited(r1, c1, r2, c2) + inherited(r1, c2, r2, c1);
         }
     return result;
 }
@@ -202,7 +202,9 @@ std::string number_text(double number, double error, int decimals) {
         exponent.erase(0, std::min(exponent.find_first_not_of("+-0"), exponent.size() - 1));
         return digits + "e" + (negative ? "-" : "") + exponent;
     }
-    std::snprintf(text.data(), text.size(), "%.*f", decimals, number);
+    // Before the point as many more digits as after it fewer: large entries would push a matrix off the page.
+    const int whole = size >= 100.0 ? static_cast<int>(std::log10(size)) - 1 : 0;
+    std::snprintf(text.data(), text.size(), "%.*f", std::max(decimals - whole, 0), number);
     std::string digits(text.data());
     if (digits.find('.') != std::string::npos) {
         digits.resize(digits.find_last_not_of('0') + 1);

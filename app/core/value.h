@@ -32,8 +32,9 @@ struct Value {
 
 /// Exact, but for the last digit of what is not 0, 1 or −1.
 Value value_of(double number);
-/// `unit`: made by normalising, so that each component is off by rounding of 1.
-Value value_of(const glm::dvec3& vector, bool unit = false);
+/// Each component is taken to be off by rounding of the largest, as where it was made by normalising or interpolating;
+/// not so the w of four.
+Value value_of(const glm::dvec3& vector);
 Value value_of(const glm::dvec4& vector);
 /// A product of `factors` matrices. What is at most 4ε(1 + factors) of the largest entry of its row and of that of its
 /// column is taken for rounding of zero; for 4×4 the translation column and the bottom row are judged by themselves.
@@ -57,7 +58,7 @@ struct Difference {
 };
 std::optional<Difference> difference(const Value& a, const Value& b);
 
-/// The number in at most `decimals` decimals, or in scientific notation where these would not show it; "0" up to `error`.
+/// The number in at most `decimals` decimals (fewer from 1000 on), or in scientific notation where these would not show it; "0" up to `error`.
 std::string number_text(double number, double error = 0.0, int decimals = 4);
 std::string number_text(const Value& value, int row, int column, int decimals = 4);
 
