@@ -1,0 +1,92 @@
+#include "core/explanation.h"
+
+#include <array>
+#include <cmath>
+
+namespace normalscope {
+
+namespace {
+
+std::vector<std::string> notes(const Scene& scene, const Transform<World, Object>& m,
+                               const std::optional<Probe>& probe) {
+    const NormalMatrices& matrices = m.normal_matrices_by_rule();
+    std::vector<std::string> result;
+    if (scene.stack.empty()) result.emplace_back("The stack is empty: M is the identity, and every rule agrees.");
+    if (!is_affine(m.matrix()))
+        result.emplace_back(
+            "M is not affine: its bottom row is not 0 0 0 1. All that follows is about its upper left 3×3, M₃, and "
+            "holds for points "
+            "only as far as M is M₃ and a translation.");
+    if (matrices.rank == 2)
+        result.emplace_back(
+            "M₃ has rank 2: it flattens the object to a plane. It has no inverse, so there is no inverse transpose; "
+            "the "
+            "cofactor matrix still gives the flattened object's normal.");
+    if (matrices.rank == 1)
+        result.emplace_back(
+            "M₃ has rank 1: it flattens the object to a line. There is no inverse, the cofactor matrix is zero, and no "
+            "normal at all.");
+    if (matrices.rank == 0) result.emplace_back("M₃ is zero: the object is gone to a point. No rule gives a normal.");
+    if (matrices.determinant < 0.0)
+        result.emplace_back(
+            "M₃ reflects (its determinant is negative). The inverse transpose carries gradients, so its normal keeps "
+            "pointing "
+            "outward; the cofactor follows the triangles' winding, which the reflection has turned over, so its normal "
+            "is the "
+            "opposite one. Each is right for its own question.");
+    if (const auto k = matrices.condition(); k && *k > 1e4) {
+        const int lost = static_cast<int>(std::lround(std::log10(*k)));
+        result.push_back("M₃ is nearly singular: its condition number is " + number_text(*k, 0.0, 3) +
+                         ", so the inverse may lose about " + std::to_string(lost) + " of a double's 16 digits" +
+                         (lost >= 12 ? "; treat it as if it had no inverse." : "."));
+    }
+    if (matrices.rank < 3 && singular_values(matrices.naive).sigma.z > 0.0)
+        result.emplace_back(
+            "The smallest stretch factor is no larger than what rounding makes of zero (4ε of the largest), or an "
+            "entry of the "
+            "stack is singular: it counts as zero.");
+    if (!probe)
+        result.emplace_back(
+            "The camera sees nothing of the surface, so there is no probe, and the derivation has no numbers.");
+    return result;
+}
+
+}  // namespace
+
+std::string_view name(ExplainFormat format) {
+    constexpr std::array<std::string_view, 3> kNames{"text", "json", "latex"};
+    return kNames.at(static_cast<std::size_t>(format));
+}
+
+Explanation explanation(const Scene& scene, const std::optional<Probe>& probe, std::size_t tangent) {
+    const Transform<World, Object> m = world_from_object(scene);
+    const NormalMatrices& matrices = m.normal_matrices_by_rule();
+    const int factors = static_cast<int>(scene.stack.size());
+    Explanation e;
+    e.about = scene.about;
+    e.m = value_of(m.matrix(), factors);
+    e.matrices = matrices;
+    e.probe = probe;
+    e.notes = notes(scene, m, probe);
+    e.derivation = derivation(m, factors, probe, tangent);
+    e.stack = stack_algebra(scene.stack);
+    if (!scene.stack.empty()) e.orders = orders_of_inverses(scene.stack, probe);
+    e.decomposition = decomposition(matrices.naive, matrices.rank);
+    e.claims = claims(m.matrix(), matrices.rank);
+    e.classes = map_classes(m.matrix(), matrices.rank);
+    return e;
+}
+
+std::string explain(const Scene& scene, ExplainFormat format) {
+    SurfaceCache surfaces;
+    const Frame frame = make_frame(scene, surfaces.get(scene), {.rect = {{0, 0}, {1280, 720}}});
+    const Explanation e = explanation(scene, frame.probe ? std::optional(frame.probe->object) : std::nullopt);
+    switch (format) {
+        case ExplainFormat::Text: return explanation_text(e);
+        case ExplainFormat::Json: return explanation_json(scene, frame, e);
+        case ExplainFormat::Latex: return explanation_latex(e);
+    }
+    return {};
+}
+
+}  // namespace normalscope

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/composites.h"
+#include "core/decomposition.h"
+#include "core/derivation.h"
+#include "core/frame.h"
+#include "core/map_class.h"
+#include "core/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace normalscope {
+
+/// Everything there is to say about a scene's M and its normals, as data: a panel, a terminal and a document show it
+/// alike. What does not exist is empty, and what cannot be said is said in the notes.
+struct Explanation {
+    std::string about;
+    Value m;  ///< 4×4
+    NormalMatrices matrices;
+    std::optional<Probe> probe;
+    std::vector<std::string> notes;
+    Derivation derivation;
+    std::vector<EntryAlgebra> stack;
+    std::vector<OrderOfInverses> orders;  ///< empty for an empty stack
+    Decomposition decomposition;
+    MapClaims claims;
+    std::vector<MapClassRow> classes;
+};
+
+/// Throws InputError as world_from_object does. Independent of the surface, but for its probe: about 0.1 ms.
+/// `tangent`: which of the probe's two tangents the derivation follows.
+Explanation explanation(const Scene& scene, const std::optional<Probe>& probe, std::size_t tangent = 0);
+
+enum class ExplainFormat { Text, Json, Latex };
+inline constexpr std::array kExplainFormats{ExplainFormat::Text, ExplainFormat::Json, ExplainFormat::Latex};
+std::string_view name(ExplainFormat format);  ///< "text", "json", "latex"
+
+/// At most 100 columns of Unicode.
+std::string explanation_text(const Explanation& e);
+/// A whole document for pdflatex, in the colours of the palette.
+std::string explanation_latex(const Explanation& e);
+/// The keys of `--numbers`, and those of the explanation; renderer and context are null.
+std::string explanation_json(const Scene& scene, const Frame& frame, const Explanation& e);
+
+/// What `normalscope explain` prints: the probe is that of a picture of 1280×720. Throws InputError.
+std::string explain(const Scene& scene, ExplainFormat format);
+
+}  // namespace normalscope
