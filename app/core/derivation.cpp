@@ -73,6 +73,8 @@ void remark(std::vector<Step>& steps, const Parts& p, const std::optional<Rule>&
     if (p.rank == 3) return;
     const std::string rank = "M₃ has rank " + std::to_string(p.rank);
     if (by) {
+        // Where M3 is large, its rounding of 0 may be larger than n_obj: the rank decides, not the numbers.
+        at("same-direction").state = Step::State::Fails;
         at("wanted").remark = rank + ": n_world is the cofactor's here, cof(M₃) n_obj, which exists without an inverse";
         at("same-direction").remark =
             rank +

@@ -1,5 +1,6 @@
 #include "core/normal_rules.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
@@ -37,6 +38,20 @@ double difference_of_products(double a, double b, double c, double d) {
 glm::dvec3 exact_cross(const glm::dvec3& a, const glm::dvec3& b) {
     return {difference_of_products(a.y, b.z, a.z, b.y), difference_of_products(a.z, b.x, a.x, b.z),
             difference_of_products(a.x, b.y, a.y, b.x)};
+}
+
+// The determinant by the row or column whose products cancel least.
+double determinant_by(const glm::dmat3& cofactor, const glm::dmat3& m) {
+    double best = glm::dot(m[0], cofactor[0]), least = std::numeric_limits<double>::infinity();
+    for (const auto& [a, c] : {std::pair{m, cofactor}, std::pair{glm::transpose(m), glm::transpose(cofactor)}})
+        for (int k = 0; k < 3; ++k) {
+            const double terms = glm::dot(glm::abs(a[k]), glm::abs(c[k]));
+            if (terms < least) {
+                least = terms;
+                best = glm::dot(a[k], c[k]);
+            }
+        }
+    return best;
 }
 
 }  // namespace
@@ -93,9 +108,12 @@ SingularValues singular_values(const glm::dmat3& a) {
         result.sigma[k] = scale * length;
         result.v[k] = v[from];
         // Where σ vanishes, any u that completes the orthogonal matrix will do.
-        if (length > 0.0) result.u[k] = w[from] / length;
-        else if (k == 2) result.u[k] = glm::cross(result.u[0], result.u[1]);
-        else result.u[k] = perpendicular(result.u[0]);
+        if (length > 0.0)
+            result.u[k] = w[from] / length;
+        else if (k == 2)
+            result.u[k] = glm::cross(result.u[0], result.u[1]);
+        else
+            result.u[k] = perpendicular(result.u[0]);
     }
     return result;
 }
@@ -133,7 +151,7 @@ NormalMatrices normal_matrices(const glm::dmat3& m3, int rank_at_most) {
     result.rank = 0;
     while (result.rank < rank_at_most && result.sigma[result.rank] > smallest) ++result.rank;
     for (int i = result.rank; i < 3; ++i) result.sigma[i] = 0.0;
-    result.determinant = result.rank == 3 ? glm::dot(m3[0], result.cofactor[0]) : 0.0;
+    result.determinant = result.rank == 3 ? determinant_by(result.cofactor, m3) : 0.0;
     if (result.rank < 2) result.cofactor = glm::dmat3(0.0);
     if (result.rank == 3) result.inverse_transpose = result.cofactor / result.determinant;
     return result;
