@@ -1,6 +1,7 @@
 #include "core/frame.h"
 
 #include "core/axis_handles.h"
+#include "core/decomposition_marks.h"
 #include "core/probe_marks.h"
 #include "core/solids.h"
 
@@ -46,7 +47,7 @@ NormalMap scaled_for_floats(NormalMap map) {
 
 std::vector<Pane> empty_panes(const Scene& scene, const PixelRect& rect) {
     if (scene.view != ViewMode::Split)
-        return {Pane{rect, scene.rule, CameraView(scene.camera, rect.size), {}, {}, {}, {}, {}}};
+        return {Pane{rect, scene.rule, CameraView(scene.camera, rect.size), {}, {}, {}, {}, {}, {}}};
     const int left = rect.size.x / 2;
     const PixelRect halves[]{{rect.origin, {left, rect.size.y}},
                              {rect.origin + glm::ivec2(left, 0), {rect.size.x - left, rect.size.y}}};
@@ -55,7 +56,7 @@ std::vector<Pane> empty_panes(const Scene& scene, const PixelRect& rect) {
     std::vector<Pane> panes;
     for (const Rule rule : {Rule::Naive, right}) {
         const PixelRect& half = halves[panes.size()];
-        panes.push_back(Pane{half, rule, CameraView(scene.camera, glm::max(half.size, glm::ivec2(1))), {}, {}, {}, {}, {}});
+        panes.push_back(Pane{half, rule, CameraView(scene.camera, glm::max(half.size, glm::ivec2(1))), {}, {}, {}, {}, {}, {}});
     }
     return panes;
 }
@@ -192,6 +193,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         add_arrows(pane, scene, m);
         if (scene.show.axes) add_axes(pane, scene, frame.surface->extent, options);
         if (frame.probe) add_probe_marks(pane, scene, *frame.probe, options);
+        if (scene.show.stretch_axes) add_decomposition_marks(pane, scene, frame.surface->mesh, m, options);
         if (scene.view == ViewMode::Split) {
             const MistakeText mistake = normalscope::text(scene.mistake);
             const bool other = scene.mistake != Mistake::Naive;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/camera.h"
+#include "core/expression.h"
 #include "core/mistakes.h"
 #include "core/palette.h"
 #include "core/probe.h"
@@ -54,6 +55,13 @@ struct SolidVertex {
     glm::vec4 color;
 };
 
+/// What a symbol of the equations is in the picture: pointing at one lights up the other.
+struct SymbolArrow {
+    Symbol symbol = Symbol::Zero;
+    glm::dvec3 base{0.0}, vector{0.0};  ///< in world space
+    glm::vec3 color{1.0f};
+};
+
 /// Text beside a place in the picture.
 struct Label {
     enum class Role { Title, Axis, Angle, Note } role = Role::Note;
@@ -78,6 +86,7 @@ struct Pane {
     std::vector<SolidVertex> solids;       ///< opaque triangles
     std::vector<SolidVertex> translucent;  ///< drawn last, without writing depth
     std::vector<Label> labels;
+    std::vector<SymbolArrow> symbols;  ///< at the probe, drawn or not
 };
 
 /// A picture as data: what a renderer draws and what the overlay writes on it. Colours are sRGB.
@@ -100,6 +109,7 @@ struct FrameOptions {
     PixelRect rect;
     float pixel_scale = 1.0f;           ///< physical pixels per logical one
     std::optional<int> hot_axis{};      ///< the axis handle under the pointer
+    std::optional<Symbol> highlight{};  ///< what is pointed at in the equations
     bool handles = true;                ///< knobs on the axes, to be dragged
 };
 

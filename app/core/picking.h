@@ -14,6 +14,9 @@ const Pane* pane_at(const Frame& frame, glm::dvec2 pixel);
 std::optional<Point<Object>> picked_point(const Frame& frame, const Transform<World, Object>& worldFromObject, glm::dvec2 pixel,
                                           double reach);
 
+/// What symbol of the equations the arrow within `reach` pixels stands for.
+std::optional<Symbol> symbol_at(const Frame& frame, glm::dvec2 pixel, double reach);
+
 /// A ball around the transformed object.
 struct WorldBall {
     Point<World> centre;

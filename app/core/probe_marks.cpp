@@ -1,5 +1,6 @@
 #include "core/probe_marks.h"
 
+#include "core/arcs.h"
 #include "core/solids.h"
 
 #include <glm/common.hpp>
@@ -30,18 +31,6 @@ std::optional<TangentPlane> tangent_plane(const ProbeInWorld& probe, const glm::
     return TangentPlane{probe.point.xyz, n, u, glm::cross(n, u)};
 }
 
-// From one unit vector to another, less than 180° apart, by spherical linear interpolation (Shoemake, 1985).
-std::vector<glm::dvec3> arc_between(const glm::dvec3& centre, const glm::dvec3& from, const glm::dvec3& to, double radius) {
-    const double angle = glm::radians(angle_degrees(from, to).value_or(0.0));
-    const int steps = std::max(3, static_cast<int>(angle / 0.08));
-    std::vector<glm::dvec3> arc;
-    for (int i = 0; i <= steps; ++i) {
-        const double s = static_cast<double>(i) / steps;
-        arc.push_back(centre + radius / std::sin(angle) * (std::sin((1.0 - s) * angle) * from + std::sin(s * angle) * to));
-    }
-    return arc;
-}
-
 void add_angle_label(Pane& pane, const std::vector<glm::dvec3>& arc, double degrees, const glm::vec3& color) {
     char text[32];
     std::snprintf(text, sizeof text, "%.1f\u00B0", degrees);
@@ -50,6 +39,32 @@ void add_angle_label(Pane& pane, const std::vector<glm::dvec3>& arc, double degr
 }
 
 bool parallel(const glm::dvec3& a, const glm::dvec3& b) { return glm::length(glm::cross(a, b)) < 1e-9; }
+
+// What the derivation's symbols stand for at the probe. n_world is the normal that keeps its right angle.
+std::vector<SymbolArrow> symbol_arrows(const ProbeInWorld& probe, const Scene& scene, double length) {
+    const glm::vec3 grey = arrow_color(ArrowKind::Object, scene.theme);
+    const glm::dvec3 from = probe.object.point.xyz, to = probe.point.xyz;
+    std::vector<SymbolArrow> arrows{{Symbol::NObject, from, length * probe.object.normal.xyz, grey},
+                                    {Symbol::VObject, from, 0.6 * length * probe.object.tangents[0].xyz, kTangentColor}};
+    if (const glm::dvec3 v = probe.tangents[0].xyz; glm::length(v) > 0.0)
+        arrows.push_back({Symbol::VWorld, to, 0.6 * length * glm::normalize(v), kTangentColor});
+    for (const Rule rule : {Rule::InverseTranspose, Rule::Cofactor})
+        if (const auto& n = probe.normals[static_cast<std::size_t>(rule)]; n && glm::length(n->xyz) > 0.0) {
+            arrows.push_back({Symbol::NWorld, to, length * glm::normalize(n->xyz), rule_color(rule)});
+            break;
+        }
+    if (glm::length(to - from) > 1e-6) arrows.push_back({Symbol::M3, from, to - from, theme_colors(scene.theme).text});
+    return arrows;
+}
+
+void add_highlight(Pane& pane, Symbol symbol, double radius) {
+    constexpr glm::vec4 kGlow(0.94f, 0.89f, 0.26f, 0.55f);
+    for (const SymbolArrow& arrow : pane.symbols) {
+        if (arrow.symbol != symbol) continue;
+        add_arrow(pane.solids, arrow.base, arrow.vector, 1.3 * radius, glm::vec4(arrow.color, 1.0f));
+        add_tube(pane.translucent, std::array{arrow.base, arrow.base + arrow.vector}, 5.0 * radius, kGlow);
+    }
+}
 
 }  // namespace
 
@@ -67,6 +82,9 @@ void add_probe_marks(Pane& pane, const Scene& scene, const ProbeInWorld& probe, 
     const double radius = std::max(0.022 * length, 1.7 * pixel);
     const double line = std::max(0.007, 1.1 * pixel);
     const glm::dvec3 centre = probe.point.xyz;
+
+    pane.symbols = symbol_arrows(probe, scene, length);
+    if (options.highlight) add_highlight(pane, *options.highlight, radius);
 
     // The naive normal's lean decides how the plane is turned, so that the error shows in profile.
     const std::optional<glm::dvec3> naive = unit_normal(Rule::Naive);
