@@ -2,6 +2,7 @@
 #include "cli/options.h"
 #include "compare.h"
 #include "core/error.h"
+#include "core/explanation.h"
 #include "core/file.h"
 #include "core/png.h"
 #include "core/scene_json.h"
@@ -51,6 +52,11 @@ int run(const CaptureCommand& command) {
                                     .panel = command.panel, .numbers = command.numbers.has_value()});
     write_png(command.output, result.image);
     if (command.numbers) write_file(*command.numbers, result.numbers);
+    return 0;
+}
+
+int run(const ExplainCommand& command) {
+    write_file("/dev/stdout", explain(scene_for(command.file, command.settings), command.format));
     return 0;
 }
 

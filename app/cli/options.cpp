@@ -120,6 +120,31 @@ Declared declare_capture(CLI::App& root) {
             }};
 }
 
+Declared declare_explain(CLI::App& root) {
+    struct Given {
+        ExplainCommand command;
+        std::string format{name(command.format)};
+    };
+    const auto given = std::make_shared<Given>();
+    CLI::App& app =
+        *root.add_subcommand("explain", "Print why normals go by the inverse transpose, with the scene's numbers");
+    set_up(app,
+           "  normalscope explain\n"
+           "  normalscope explain shear --set 'stack.0.shear.xy=2' | less\n"
+           "  normalscope explain lecture.json --format latex > lecture.tex\n"
+           "  normalscope explain bunny.obj --format json > bunny.numbers.json");
+    add_file(app, given->command.file).capture_default_str();
+    add(app, "--format", given->format, "FORMAT",
+        "How: text, for a terminal of 100 columns; json, every step's values with the keys of capture --numbers; or "
+        "latex, a document");
+    add_settings(app, given->command.settings);
+    return {&app, [given] {
+                ExplainCommand command = given->command;
+                command.format = parse_format("--format", given->format);
+                return command;
+            }};
+}
+
 Declared declare_scenes(CLI::App& root) {
     CLI::App& app = *root.add_subcommand("scenes", "List the built-in scenes");
     set_up(app, "  normalscope scenes");
@@ -213,7 +238,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     CLI::App root{"Shows what a transformation does to a surface's normals.", "normalscope"};
     root.require_subcommand(0, 1);
     const Declared view = declare_view(root);
-    const std::vector<Declared> commands{declare_capture(root), declare_scenes(root), declare_compare(root)};
+    const std::vector<Declared> commands{declare_capture(root), declare_explain(root), declare_scenes(root),
+                                         declare_compare(root)};
     const auto chosen = [&]() -> const Declared& {
         for (const Declared& command : commands)
             if (command.app->parsed()) return command;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/context_choice.h"
+#include "core/explain_format.h"
 #include "core/scene_json.h"
 
 #include <glm/vec2.hpp>
@@ -31,6 +32,13 @@ struct CaptureCommand {
     std::optional<std::filesystem::path> numbers;
 };
 
+/// `normalscope explain [FILE]`
+struct ExplainCommand {
+    std::string file{kDefaultScene};
+    ExplainFormat format = ExplainFormat::Text;
+    std::vector<std::string> settings;
+};
+
 /// `normalscope scenes`
 struct ScenesCommand {};
 
@@ -47,7 +55,7 @@ struct Printed {
     std::string text;
 };
 
-using Command = std::variant<ViewCommand, CaptureCommand, ScenesCommand, CompareCommand, Printed>;
+using Command = std::variant<ViewCommand, CaptureCommand, ExplainCommand, ScenesCommand, CompareCommand, Printed>;
 
 /// Throws UsageError. An output named "-" comes back as /dev/stdout.
 Command parse_command_line(int argc, const char* const* argv);

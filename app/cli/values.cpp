@@ -53,6 +53,12 @@ ContextChoice parse_context(const std::string& option, const std::string& text) 
     fail(option, text, "expected auto, osmesa or egl");
 }
 
+ExplainFormat parse_format(const std::string& option, const std::string& text) {
+    for (const ExplainFormat format : kExplainFormats)
+        if (text == name(format)) return format;
+    fail(option, text, "expected text, json or latex");
+}
+
 int parse_tolerance(const std::string& option, const std::string& text) {
     const auto value = whole_number(text);
     if (!value || *value > 255) fail(option, text, "expected a whole number from 0 to 255");

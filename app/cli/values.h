@@ -9,6 +9,7 @@ namespace normalscope {
 glm::ivec2 parse_size(const std::string& option, const std::string& text);
 int parse_samples(const std::string& option, const std::string& text);
 ContextChoice parse_context(const std::string& option, const std::string& text);
+ExplainFormat parse_format(const std::string& option, const std::string& text);
 int parse_tolerance(const std::string& option, const std::string& text);
 double parse_share(const std::string& option, const std::string& text);
 /// "-" is standard output.

@@ -1,5 +1,7 @@
 #include "core/explanation.h"
 
+#include "core/mistakes.h"
+
 #include <array>
 #include <cmath>
 
@@ -7,16 +9,30 @@ namespace normalscope {
 
 namespace {
 
+// What the scene has in the naive rule's place, if not that rule itself.
+std::string note_on(const Scene& scene, const Transform<World, Object>& m, const std::optional<Probe>& probe) {
+    const MistakeText mistake = text(scene.mistake);
+    std::string note = "In the naive rule's place the picture shows another mistake, " + std::string(mistake.formula) +
+                       " (" + std::string(mistake.title) + "). " + std::string(mistake.reason);
+    const std::optional<NormalMap> map = normal_map(scene, m, Rule::Naive);
+    const std::optional<Normal<World>> right = probe ? m(probe->normal) : std::nullopt;
+    if (!map || !right) return note;
+    const auto off = angle_degrees((*map)(probe->normal).xyz, right->xyz);
+    return off ? note + " At the probe its direction is off by " + number_text(*off, 1e-7, 3) + "°." : note;
+}
+
 std::vector<std::string> notes(const Scene& scene, const Transform<World, Object>& m,
                                const std::optional<Probe>& probe) {
     const NormalMatrices& matrices = m.normal_matrices_by_rule();
     std::vector<std::string> result;
-    if (scene.stack.empty()) result.emplace_back("The stack is empty: M is the identity, and every rule agrees.");
+    if (applied_stack(scene).empty())
+        result.emplace_back("The stack is empty: M is the identity, and every rule agrees.");
     if (!is_affine(m.matrix()))
         result.emplace_back(
             "M is not affine: its bottom row is not 0 0 0 1. All that follows is about its upper left 3×3, M₃, and "
             "holds for points "
             "only as far as M is M₃ and a translation.");
+    if (scene.mistake != Mistake::Naive) result.push_back(note_on(scene, m, probe));
     if (matrices.rank == 2)
         result.emplace_back(
             "M₃ has rank 2: it flattens the object to a plane. It has no inverse, so there is no inverse transpose; "
@@ -61,7 +77,8 @@ std::string_view name(ExplainFormat format) {
 Explanation explanation(const Scene& scene, const std::optional<Probe>& probe, std::size_t tangent) {
     const Transform<World, Object> m = world_from_object(scene);
     const NormalMatrices& matrices = m.normal_matrices_by_rule();
-    const int factors = static_cast<int>(scene.stack.size());
+    const std::vector<StackEntry> stack = applied_stack(scene);
+    const int factors = static_cast<int>(stack.size());
     Explanation e;
     e.about = scene.about;
     e.m = value_of(m.matrix(), factors);
@@ -69,8 +86,8 @@ Explanation explanation(const Scene& scene, const std::optional<Probe>& probe, s
     e.probe = probe;
     e.notes = notes(scene, m, probe);
     e.derivation = derivation(m, factors, probe, tangent);
-    e.stack = stack_algebra(scene.stack);
-    if (!scene.stack.empty()) e.orders = orders_of_inverses(scene.stack, probe);
+    e.stack = stack_algebra(stack);
+    if (!stack.empty()) e.orders = orders_of_inverses(stack, probe);
     e.decomposition = decomposition(matrices.naive, matrices.rank);
     e.claims = claims(m.matrix(), matrices.rank);
     e.classes = map_classes(m.matrix(), matrices.rank);

@@ -3,6 +3,7 @@
 #include "core/composites.h"
 #include "core/decomposition.h"
 #include "core/derivation.h"
+#include "core/explain_format.h"
 #include "core/frame.h"
 #include "core/map_class.h"
 #include "core/scene.h"
@@ -31,10 +32,6 @@ struct Explanation {
 /// Throws InputError as world_from_object does. Independent of the surface, but for its probe: about 0.1 ms.
 /// `tangent`: which of the probe's two tangents the derivation follows.
 Explanation explanation(const Scene& scene, const std::optional<Probe>& probe, std::size_t tangent = 0);
-
-enum class ExplainFormat { Text, Json, Latex };
-inline constexpr std::array kExplainFormats{ExplainFormat::Text, ExplainFormat::Json, ExplainFormat::Latex};
-std::string_view name(ExplainFormat format);  ///< "text", "json", "latex"
 
 /// At most 100 columns of Unicode.
 std::string explanation_text(const Explanation& e);

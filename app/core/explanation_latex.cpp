@@ -22,7 +22,7 @@ std::string display(const std::string& mathematics) { return "\\[ " + mathematic
 
 std::string preamble(const Explanation& e) {
     std::string out =
-        "\\documentclass[11pt,a4paper]{article}\n\\usepackage[utf8]{inputenc}\n\\usepackage[T1]{fontenc}\n"
+        "\\documentclass[11pt,a4paper]{article}\n\\usepackage[utf8]{inputenc}\n"
         "\\usepackage{amsmath}\n\\usepackage{color}\n\\usepackage[margin=22mm]{geometry}\n\\setlength{\\parindent}{"
         "0pt}\n"
         "\\setlength{\\parskip}{4pt}\n";
@@ -139,8 +139,8 @@ std::string of_decomposition(const Decomposition& d) {
         out += "$S$ stretches " + vector(axis.from.xyz) + " by $" + latex_number(axis.factor) + "$" +
                (axis.unique ? "" : " (one choice of several)") + ".\n\n";
     if (d.worst && d.worst->degrees > 1e-7)
-        out += "Worst halfway between the largest and the smallest, as at " + vector(d.worst->object[0].xyz) + ": " +
-               degrees(d.worst->degrees) + " off ($\\arctan k - \\arctan \\frac1k$).\n\n";
+        out += "Worst halfway between the largest and the smallest: " + vector(d.worst->object[0].xyz) + ", " +
+               degrees(d.worst->degrees) + " off, $\\arctan k - \\arctan \\frac1k$.\n\n";
     return out;
 }
 
@@ -148,14 +148,15 @@ std::string of_classes(const Explanation& e) {
     const auto yes_no = [](const std::optional<bool>& b) { return std::string(!b ? "--" : *b ? "yes" : "no"); };
     std::string out =
         "\\subsection*{Classes of maps}\n$\\bullet$ is this $M$; what it is not is shown by an "
-        "example.\n\n\\begin{tabular}{lllllll}\n & class & that is & direction & length & inverse & cofactor \\\\ "
+        "example.\n\n{\\small\\begin{tabular}{lllllll}\n & class & that is & direction & length & inverse & cofactor "
+        "\\\\ "
         "\\hline\n";
     for (const MapClassRow& row : e.classes)
         out += std::string(row.contains_m ? "$\\bullet$" : "") + " & " + latex_text(name(row.map_class)) + " & " +
                latex_text(meaning(row.map_class)) + " & " + yes_no(row.claims.naive_direction_right) + " & " +
                yes_no(row.claims.naive_length_right) + " & " + (row.claims.inverse_transpose_exists ? "yes" : "no") +
                " & " + std::string(name(row.claims.cofactor)) + " \\\\\n";
-    return out + "\\end{tabular}\n\n";
+    return out + "\\end{tabular}}\n\n";
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ std::string latex(const Expression& e, bool numbers) {
 }
 
 // What LaTeX reads otherwise, or has another name for.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 51> kSpecial{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 56> kSpecial{{
     {"\\", "\\textbackslash{}"},
     {"{", "\\{"},
     {"}", "\\}"},
@@ -86,6 +86,11 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 51> kSpecial
     {"∂", "$\\partial$"},
     {"·", "$\\cdot$"},
     {"×", "$\\times$"},
+    {"÷", "$\\div$"},
+    {"Ð", "?"},
+    {"ð", "?"},
+    {"Þ", "?"},
+    {"þ", "?"},
     {"−", "$-$"},
     {"±", "$\\pm$"},
     {"≠", "$\\ne$"},
@@ -133,7 +138,7 @@ std::string latex_text(std::string_view utf8) {
     while (!utf8.empty()) {
         const auto first = static_cast<unsigned char>(utf8.front());
         std::size_t length = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
-        // Latin letters with accents, U+00C0 … U+00FF, are in every T1 font; other characters need a name.
+        // Latin letters with accents, U+00C0 … U+00FF, are in every font; other characters need a name.
         std::string found = first >= ' ' && first < 127        ? std::string(1, utf8.front())
                             : first == 0xC3 && utf8.size() > 1 ? std::string(utf8.substr(0, 2))
                             : first < ' '                      ? " "

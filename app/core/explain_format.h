@@ -1,0 +1,15 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace normalscope {
+
+/// How an explanation is written (core/explanation.h).
+enum class ExplainFormat { Text, Json, Latex };
+inline constexpr std::array kExplainFormats{ExplainFormat::Text, ExplainFormat::Json, ExplainFormat::Latex};
+
+/// "text", "json", "latex".
+std::string_view name(ExplainFormat format);
+
+}  // namespace normalscope
