@@ -31,6 +31,7 @@ float scale_of(glm::ivec2 size, bool panel) {
 }  // namespace
 
 Capture capture(const Scene& scene, const CaptureOptions& options) {
+    prefer_quick_shader_compilation();
     // A large mesh takes as long to read as a context takes to make and its shaders to compile: do both at once.
     SurfaceCache surfaces;
     auto loading = std::async(std::launch::async, [&] { return surfaces.get(scene); });

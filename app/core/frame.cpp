@@ -61,14 +61,16 @@ std::vector<Pane> empty_panes(const Scene& scene, const PixelRect& rect) {
     return panes;
 }
 
-void add_surfaces(Pane& pane, const Scene& scene, const WorldFromObject& m, bool ghost) {
+void add_surfaces(Pane& pane, const Scene& scene, const Mesh& mesh, const WorldFromObject& m, bool ghost) {
     const NormalMatrices& matrices = m.normal_matrices_by_rule();
     const ThemeColors colors = theme_colors(scene.theme);
     SurfaceDraw object;
     object.world_from_object = drawable(m.matrix());
     object.color = glm::vec4(colors.surface, 1.0f);
     if (const auto map = normal_map(scene, m, pane.rule)) object.normals = scaled_for_floats(*map);
-    object.cull = scene.cull;
+    if (scene.cull) object.cull = SurfaceDraw::Cull::PictureBacks;
+    else if (mesh.closed && matrices.rank == 3) object.cull = SurfaceDraw::Cull::Inside;
+    object.mirrored = matrices.determinant < 0.0;
     object.black_where_zero = scene.mistake == Mistake::ZeroNormal && pane.rule == Rule::Naive;
     // A reflection turns the picture's winding over. The gradient's outside stays; the cofactor's turns with it.
     object.outside = matrices.determinant < 0.0 && pane.rule != Rule::Cofactor ? -1.0f : 1.0f;
@@ -78,6 +80,7 @@ void add_surfaces(Pane& pane, const Scene& scene, const WorldFromObject& m, bool
     pane.surfaces.push_back(object);
     if (!ghost) return;
     SurfaceDraw shell;
+    shell.cull = SurfaceDraw::Cull::Inside;
     shell.normals = NormalMap{};
     shell.color = glm::vec4(colors.ghost, 0.55f);
     pane.surfaces.push_back(shell);
@@ -189,7 +192,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     if (probe) frame.probe = in_world(*probe, m, scene);
 
     for (Pane& pane : frame.panes) {
-        add_surfaces(pane, scene, m, ghost);
+        add_surfaces(pane, scene, frame.surface->mesh, m, ghost);
         add_arrows(pane, scene, m);
         if (scene.show.axes) add_axes(pane, scene, frame.surface->extent, options);
         if (frame.probe) add_probe_marks(pane, scene, *frame.probe, options);

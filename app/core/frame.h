@@ -34,7 +34,10 @@ struct SurfaceDraw {
     float outside = 1.0f;
     glm::vec4 color{1.0f};         ///< alpha below 1: a ghost
     glm::vec3 inside_color{1.0f};  ///< of the back of an open surface
-    bool cull = false;             ///< leave out what the picture's winding shows from its back
+    /// Which triangles are left out: those whose winding in the picture is a back's, or those that truly show the inside,
+    /// where nobody can see them.
+    enum class Cull { None, PictureBacks, Inside } cull = Cull::None;
+    bool mirrored = false;         ///< M reflects: what was counterclockwise is clockwise in the picture
     bool black_where_zero = false; ///< as NaN would look, where a normal comes out zero
     bool by_error = false;         ///< coloured by the naive rule's error instead
 };

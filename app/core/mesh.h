@@ -22,6 +22,7 @@ struct Mesh {
     std::vector<glm::uvec3> triangles;    ///< indices into positions
     /// The polygon that each triangle is part of, ascending; empty where every triangle is a face of its own.
     std::vector<std::uint32_t> face_of_triangle;
+    bool closed = false;  ///< known to have no opening: from outside, no triangle shows its back
     NormalSource normal_source = NormalSource::Exact;
     /// What the reader should tell the user (one line), such as normals that had to be computed; empty if nothing.
     std::string note;

@@ -224,16 +224,21 @@ Mesh dodecahedron() {
 Mesh make_shape(const ShapeSurface& shape) {
     const int n = shape.resolution;
     if (n < 3 || n > 512) throw InputError("surface.resolution: " + std::to_string(n) + " is out of range; it goes from 3 to 512");
-    switch (shape.shape) {
-        case Shape::Sphere: return sphere(n);
-        case Shape::Cube: return cube(n);
-        case Shape::Cylinder: return cylinder(n);
-        case Shape::Cone: return cone(n);
-        case Shape::Torus: return torus(n);
-        case Shape::Plane: return plane(n);
-        case Shape::Dodecahedron: return dodecahedron();
-    }
-    return {};
+    const auto of_kind = [&] {
+        switch (shape.shape) {
+            case Shape::Sphere: return sphere(n);
+            case Shape::Cube: return cube(n);
+            case Shape::Cylinder: return cylinder(n);
+            case Shape::Cone: return cone(n);
+            case Shape::Torus: return torus(n);
+            case Shape::Plane: return plane(n);
+            case Shape::Dodecahedron: return dodecahedron();
+        }
+        return Mesh{};
+    };
+    Mesh mesh = of_kind();
+    mesh.closed = shape.shape != Shape::Plane;
+    return mesh;
 }
 
 }  // namespace normalscope

@@ -49,6 +49,7 @@ Mesh flat_shaded(const Mesh& mesh) {
     }
     Mesh flat;
     flat.face_of_triangle = mesh.face_of_triangle;
+    flat.closed = mesh.closed;
     flat.normal_source = mesh.normal_source;
     flat.note = mesh.note;
     flat.positions.reserve(3 * mesh.triangles.size());

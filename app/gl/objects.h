@@ -42,9 +42,15 @@ struct RenderbufferKind {
     static void destroy(const GLuint* id) { glDeleteRenderbuffers(1, id); }
 };
 
+struct TextureKind {
+    static void create(GLuint* id) { glGenTextures(1, id); }
+    static void destroy(const GLuint* id) { glDeleteTextures(1, id); }
+};
+
 using GlBuffer = GlObject<BufferKind>;
 using GlVertexArray = GlObject<VertexArrayKind>;
 using GlFramebuffer = GlObject<FramebufferKind>;
 using GlRenderbuffer = GlObject<RenderbufferKind>;
+using GlTexture = GlObject<TextureKind>;
 
 }  // namespace normalscope

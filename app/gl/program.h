@@ -36,6 +36,7 @@ public:
     };
 
 protected:
+    static void set(GLint at, int v) { glUniform1i(at, v); }
     static void set(GLint at, float v) { glUniform1f(at, v); }
     static void set(GLint at, const glm::vec2& v) { glUniform2f(at, v.x, v.y); }
     static void set(GLint at, const glm::vec3& v) { glUniform3f(at, v.x, v.y, v.z); }

@@ -19,6 +19,12 @@ struct BackdropProgram : Program {
     Slot<glm::mat3> shadow{*this, "shadow"};
 };
 
+struct ResolveProgram : Program {
+    ResolveProgram() : Program("resolve.vert", "resolve.frag") {}
+
+    Slot<int> count{*this, "count"};
+};
+
 /// Everything solid: the mesh, its arrows, and what is made anew every frame.
 struct SceneProgram : Program {
     explicit SceneProgram(std::string_view define = {}) : Program("scene.vert", "scene.frag", define) {}

@@ -15,7 +15,7 @@ struct Renderer::Resources {
     BackdropProgram backdrop_program;
     SceneProgram scene_program;
     std::optional<ErrorMapProgram> error_map_program;  // compiled when first wanted
-    BackdropVertices backdrop;
+    PaneVertices backdrop;
     SolidVertices solids;
 
     std::shared_ptr<const Surface> surface;
@@ -95,8 +95,10 @@ void Renderer::Resources::draw_surface(const Frame& frame, const Pane& pane, con
     set_tint(draw.color);
     const bool ghost = draw.color.a < 1.0f;
     program->ghost = ghost ? 1.0f : 0.0f;
-    if (ghost || draw.cull) glEnable(GL_CULL_FACE);
+    if (draw.cull != SurfaceDraw::Cull::None) glEnable(GL_CULL_FACE);
+    glCullFace(draw.cull == SurfaceDraw::Cull::Inside && draw.mirrored ? GL_FRONT : GL_BACK);
     mesh->draw();
+    glCullFace(GL_BACK);
     glDisable(GL_CULL_FACE);
 }
 

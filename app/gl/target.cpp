@@ -18,7 +18,9 @@ void check_complete(glm::ivec2 size, int samples) {
 int supported(int samples) {
     GLint most = 1;
     glGetIntegerv(GL_MAX_SAMPLES, &most);
-    return std::clamp(samples, 1, std::max<int>(most, 1));
+    // resolve.frag adds up 2 or 4.
+    const int fewer = std::clamp(samples, 1, std::clamp<int>(most, 1, 4));
+    return fewer == 3 ? 2 : fewer;
 }
 
 }  // namespace
@@ -33,31 +35,33 @@ Target::Target(glm::ivec2 size, int samples) : size_(size), samples_(supported(s
         glBindRenderbuffer(GL_RENDERBUFFER, buffer.id());
         glRenderbufferStorageMultisample(GL_RENDERBUFFER, count > 1 ? count : 0, format, size.x, size.y);
     };
-    const auto attach = [](const GlFramebuffer& framebuffer, const GlRenderbuffer& color, const GlRenderbuffer* depth) {
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color.id());
-        if (depth) glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth->id());
-    };
     storage(depth_, GL_DEPTH_COMPONENT24, samples_);
     storage(resolved_color_, GL_RGBA8, 1);
     if (samples_ > 1) {
-        storage(color_, GL_RGBA8, samples_);
-        attach(framebuffer_, color_, &depth_);
+        glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, color_.id());
+        glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples_, GL_RGBA8, size.x, size.y, GL_TRUE);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE, color_.id(), 0);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
         check_complete(size, samples_);
     }
-    attach(resolved_, resolved_color_, samples_ > 1 ? nullptr : &depth_);
+    glBindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolved_color_.id());
+    if (samples_ == 1) glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
     check_complete(size, samples_);
 }
 
 void Target::bind() const { glBindFramebuffer(GL_FRAMEBUFFER, samples_ > 1 ? framebuffer_.id() : resolved_.id()); }
 
 void Target::resolve() const {
-    if (samples_ > 1) {
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
-        glBlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    }
     glBindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
+    if (samples_ == 1) return;
+    glViewport(0, 0, size_.x, size_.y);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, color_.id());
+    resolve_program_.use();
+    resolve_program_.count = samples_;
+    everywhere_.draw();
 }
 
 void Target::show() const {

@@ -2,6 +2,8 @@
 
 #include "core/image.h"
 #include "gl/objects.h"
+#include "gl/programs.h"
+#include "gl/vertex_data.h"
 
 #include <glm/vec2.hpp>
 
@@ -28,8 +30,11 @@ public:
 private:
     glm::ivec2 size_;
     int samples_;
-    GlRenderbuffer color_, depth_, resolved_color_;
+    GlTexture color_;
+    GlRenderbuffer depth_, resolved_color_;
     GlFramebuffer framebuffer_, resolved_;
+    ResolveProgram resolve_program_;
+    PaneVertices everywhere_;
 };
 
 }  // namespace normalscope

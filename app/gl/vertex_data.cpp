@@ -66,14 +66,14 @@ std::vector<PointAndNormal> arrow_shape(int sides) {
 
 void set_tint(const glm::vec4& color) { glVertexAttrib4f(kTint, color.r, color.g, color.b, color.a); }
 
-BackdropVertices::BackdropVertices() {
+PaneVertices::PaneVertices() {
     constexpr std::array kCorners{-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
     glBindVertexArray(array_.id());
     bind_and_fill(corners_, GL_ARRAY_BUFFER, sizeof kCorners, kCorners.data());
     attribute(0, 2, 2 * sizeof(float), 0);
 }
 
-void BackdropVertices::draw() const {
+void PaneVertices::draw() const {
     glBindVertexArray(array_.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
@@ -94,7 +94,7 @@ void MeshVertices::draw() const {
 }
 
 ArrowVertices::ArrowVertices(std::span<const Site> sites) : site_count_(static_cast<GLsizei>(sites.size())) {
-    const std::vector<PointAndNormal> shape = arrow_shape(sites.size() > 400 ? 6 : 10);
+    const std::vector<PointAndNormal> shape = arrow_shape(sites.size() > 400 ? 6 : 8);
     shape_count_ = static_cast<GLsizei>(shape.size());
     std::vector<PointAndNormal> instances(sites.size());
     for (std::size_t i = 0; i < instances.size(); ++i) instances[i] = {sites[i].point.xyz, sites[i].normal.xyz};

@@ -15,9 +15,9 @@ namespace normalscope {
 void set_tint(const glm::vec4& color);
 
 /// A triangle over the whole pane.
-class BackdropVertices {
+class PaneVertices {
 public:
-    BackdropVertices();
+    PaneVertices();
     void draw() const;
 
 private:

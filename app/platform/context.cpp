@@ -4,9 +4,12 @@
 #include "platform/egl_context.h"
 #include "platform/osmesa_context.h"
 
+#include <cstdlib>
 #include <string>
 
 namespace normalscope {
+
+void prefer_quick_shader_compilation() { ::setenv("GALLIVM_PERF", "nopt", 0); }
 
 std::unique_ptr<Context> make_offscreen_context(ContextChoice kind) {
 
