@@ -50,7 +50,11 @@ std::string latex(const Expression& e, bool numbers) {
 }
 
 // What LaTeX reads otherwise, or has another name for.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 56> kSpecial{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 60> kSpecial{{
+    {"n_obj", "$n_\\mathrm{obj}$"},
+    {"v_obj", "$v_\\mathrm{obj}$"},
+    {"n_world", "$n_\\mathrm{world}$"},
+    {"v_world", "$v_\\mathrm{world}$"},
     {"\\", "\\textbackslash{}"},
     {"{", "\\{"},
     {"}", "\\}"},
