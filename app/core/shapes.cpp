@@ -47,7 +47,7 @@ public:
     /// A grid of (columns + 1) × (rows + 1) vertices over (u, v) in [0, 1]²; `wrap_u`, `wrap_v` join its ends.
     void grid(int columns, int rows, bool wrap_u, bool wrap_v, const std::function<Vertex(double, double)>& at) {
         const int wide = columns + (wrap_u ? 0 : 1), high = rows + (wrap_v ? 0 : 1);
-        std::vector<std::uint32_t> index(static_cast<std::size_t>(wide * high));
+        std::vector<std::uint32_t> index(static_cast<std::size_t>(wide) * static_cast<std::size_t>(high));
         const auto slot = [&](int i, int j) -> std::uint32_t& { return index[static_cast<std::size_t>((j % high) * wide + i % wide)]; };
         for (int j = 0; j < high; ++j)
             for (int i = 0; i < wide; ++i) slot(i, j) = vertex(at(double(i) / columns, double(j) / rows));

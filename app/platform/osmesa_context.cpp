@@ -49,7 +49,7 @@ private:
     SharedLibrary library_;
     OsmesaContext context_ = nullptr;
     Loader loader_ = nullptr;
-    std::array<unsigned char, 4 * kSide * kSide> pixels_{};
+    std::array<unsigned char, std::size_t{4} * kSide * kSide> pixels_{};
 };
 
 }  // namespace
