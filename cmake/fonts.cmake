@@ -14,5 +14,6 @@ endfunction()
 
 find_font(OpenSans-Regular.ttf fonts-open-sans)
 find_font(OpenSans-Semibold.ttf fonts-open-sans)
+find_font(OpenSans-SemiboldItalic.ttf fonts-open-sans)
 find_font(OpenSans-Bold.ttf fonts-open-sans)
 find_font(DejaVuSans.ttf fonts-dejavu-core)

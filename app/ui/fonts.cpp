@@ -23,6 +23,9 @@ constexpr std::array<ImWchar, 29> kMath{0xB2,   0xB3,   0xB9,   0xB9,   0x3B8,  
 constexpr std::array<ImWchar, 11> kMathFew{0xB9,   0xB9,   0x1D40, 0x1D40, 0x207B, 0x207B,
                                            0x2080, 0x2083, 0x2260, 0x2260, 0};
 
+constexpr std::array<ImWchar, 5> kLetters{'A', 'Z', 'a', 'z', 0};
+constexpr std::array<ImWchar, 11> kDigits{0x20, 0x7E, 0xB0, 0xB0, 0xB7, 0xB7, 0x2014, 0x2014, 0x2212, 0x2212, 0};
+
 // Dear ImGui measures a font from its highest ascender to its lowest descender; people, and these sizes, by the em.
 struct Face {
     const char* file;
@@ -30,6 +33,7 @@ struct Face {
 };
 constexpr Face kRegular{"fonts/OpenSans-Regular.ttf", 1.362f};
 constexpr Face kSemibold{"fonts/OpenSans-Semibold.ttf", 1.362f};
+constexpr Face kSlanted{"fonts/OpenSans-SemiboldItalic.ttf", 1.362f};
 constexpr Face kSymbols{"fonts/DejaVuSans.ttf", 1.164f};
 constexpr float kBodySize = 15.0f;
 constexpr float kSymbolsSize = 0.94f;  // its letters are larger in the same em
@@ -108,6 +112,10 @@ Fonts build_fonts(float scale, ExtraLetters& extra) {
     fonts.small = both(kRegular, 13.0f, kLatin.data(), kMath.data());
     fonts.strong = both(kSemibold, kBodySize, kLatinFew.data(), kMathFew.data());
     fonts.title = both(kSemibold, 20.0f, kLatinFew.data(), kMathFew.data());
+    fonts.letters = baker.add(kSlanted, 20.0f, kLetters.data());
+    fonts.upright = baker.add(kRegular, 20.0f, kDigits.data());
+    fonts.numbers = baker.add(kRegular, 14.0f, kDigits.data());
+    fonts.tiny = baker.add(kRegular, 10.0f, kLetters.data());
     ImGui::GetIO().FontDefault = fonts.body;
     atlas.Build();
     extra.built();

@@ -8,10 +8,14 @@
 namespace normalscope {
 
 struct Fonts {
-    ImFont* body = nullptr;    ///< 15 px
-    ImFont* small = nullptr;   ///< 13 px: what stands beside, and tables
-    ImFont* strong = nullptr;  ///< 15 px, semibold: headings
-    ImFont* title = nullptr;   ///< 20 px, semibold: the words on the picture, the rules' formulas
+    ImFont* body = nullptr;     ///< 15 px
+    ImFont* small = nullptr;    ///< 13 px: what stands beside, and tables
+    ImFont* strong = nullptr;   ///< 15 px, semibold: headings
+    ImFont* title = nullptr;    ///< 20 px, semibold: the words on the picture, the rules' formulas
+    ImFont* letters = nullptr;  ///< 20 px, slanted: the letters of equations, and no other signs
+    ImFont* upright = nullptr;  ///< 20 px: the digits and operators beside them
+    ImFont* numbers = nullptr;  ///< 14 px: the entries of their matrices
+    ImFont* tiny = nullptr;     ///< 10 px: letters below small words
 };
 
 /// Letters beyond those that the interface itself uses: those of file names and messages. Baking every letter of every
