@@ -28,6 +28,7 @@ constexpr Line kLook[]{
     {"F", "frame the object"},
     {"1 2 3", "from the front, the side, the top"},
     {"Tab", "hide or show the panel (H, too)"},
+    {"D", "the derivation, beside the picture"},
     {"F11", "full screen"},
     {"F1", "this card"},
     {"Esc", "close what is open"},

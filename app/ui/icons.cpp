@@ -117,7 +117,12 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 col
             break;
         case Icon::Up: pen.path(std::array{ImVec2(-0.5f, 0.25f), ImVec2(0, -0.3f), ImVec2(0.5f, 0.25f)}); break;
         case Icon::Down: pen.path(std::array{ImVec2(-0.5f, -0.25f), ImVec2(0, 0.3f), ImVec2(0.5f, -0.25f)}); break;
+        case Icon::Left: pen.path(std::array{ImVec2(0.25f, -0.5f), ImVec2(-0.3f, 0), ImVec2(0.25f, 0.5f)}); break;
         case Icon::Right: pen.path(std::array{ImVec2(-0.25f, -0.5f), ImVec2(0.3f, 0), ImVec2(-0.25f, 0.5f)}); break;
+        case Icon::Formula:  // a sum sign
+            pen.path(std::array{ImVec2(0.6f, -0.5f), ImVec2(0.6f, -0.8f), ImVec2(-0.6f, -0.8f), ImVec2(0.1f, 0),
+                                ImVec2(-0.6f, 0.8f), ImVec2(0.6f, 0.8f), ImVec2(0.6f, 0.5f)});
+            break;
         case Icon::Close:
             pen.line(-0.5f, -0.5f, 0.5f, 0.5f);
             pen.line(0.5f, -0.5f, -0.5f, 0.5f);

@@ -16,6 +16,7 @@ enum class Icon {
     Moon,
     Up,
     Down,
+    Left,
     Right,
     Close,
     Plus,
@@ -24,7 +25,8 @@ enum class Icon {
     Reset,
     Grip,
     Folder,
-    File
+    File,
+    Formula
 };
 
 /// Draws an icon into the square of this side about `centre`, in lines of one weight.

@@ -1,6 +1,7 @@
 #include "ui/interface.h"
 
 #include "core/error.h"
+#include "ui/derivation_panel.h"
 #include "ui/file_dialog.h"
 #include "ui/help.h"
 #include "ui/messages.h"
@@ -17,9 +18,10 @@ struct Interface::State {
     Look look;
     ExtraLetters letters;
     PanelMemory panel;
+    DerivationPanel derivation;
     FileDialog dialog;
     Messages messages;
-    bool panel_shown = true, help = false;
+    bool panel_shown = true, derivation_shown = false, help = false;
     double wake = std::numeric_limits<double>::infinity();
     double pointer_rested = 0.0;  ///< since when, by ImGui::GetTime
     double popups_changed = -1e9;
@@ -77,14 +79,17 @@ bool Interface::prepare(Theme theme, float scale) {
     if (scaled || theme != look.theme) set_style(look, theme, scale);
     if (!scaled && !state_->letters.pending()) return false;
     look.fonts = build_fonts(scale, state_->letters);
+    state_->derivation.forget_layout();
     return true;
 }
 
 PixelRect Interface::picture(glm::ivec2 framebuffer) const {
     const int panel = state_->panel_shown ? static_cast<int>(state_->look.px(kPanelWidth)) : 0;
-    // In a window hardly wider than the panel, the panel covers part of the picture rather than all of it.
+    // In a window hardly wider than the panels, they cover part of the picture rather than all of it.
     const int left = framebuffer.x - panel >= panel / 4 ? panel : 0;
-    return {{left, 0}, {std::max(framebuffer.x - left, 1), std::max(framebuffer.y, 1)}};
+    const int derivation = state_->derivation_shown ? static_cast<int>(state_->look.px(kDerivationWidth)) : 0;
+    const int right = framebuffer.x - left - derivation >= derivation / 2 ? derivation : 0;
+    return {{left, 0}, {std::max(framebuffer.x - left - right, 1), std::max(framebuffer.y, 1)}};
 }
 
 Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status) {
@@ -99,13 +104,18 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
                     .status = status,
                     .requests = requests,
                     .dialog = s.dialog,
-                    .help = s.help});
+                    .help = s.help,
+                    .derivation = s.derivation_shown});
+    if (!ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive() && !ImGui::GetIO().KeyMods &&
+        ImGui::IsKeyPressed(ImGuiKey_D, false))
+        s.derivation_shown = !s.derivation_shown;
     const bool help = s.help;
     draw_help(s.look, frame.rect, s.help);
     s.dialog.draw(s.look, s.letters, requests);
     if (!help && !s.dialog.is_open() && !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGuiKey_Escape, false))
         s.messages.dismiss();
     if (scene.stack != before) undo_overflow(scene, before, s.messages);
+    s.derivation.draw(s.look, scene, frame, s.derivation_shown);
     s.letters.want(s.messages.text(), s.look.fonts.body);
     s.letters.want(status.file, s.look.fonts.body);
     s.messages.draw(s.look, frame);
@@ -114,6 +124,11 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
 }
 
 void Interface::draw_words(const Frame& frame) const { normalscope::draw_words(state_->look, frame); }
+
+void Interface::show_derivation(bool shown) { state_->derivation_shown = shown; }
+bool Interface::derivation_shown() const { return state_->derivation_shown; }
+std::optional<Highlight> Interface::highlighted() const { return state_->derivation.pointed_at(); }
+void Interface::highlight(const std::optional<Highlight>& in_picture) { state_->derivation.highlight(in_picture); }
 
 void Interface::show_error(std::string_view line) { state_->messages.show_error(line); }
 void Interface::show_note(std::string_view line) { state_->messages.show_note(line); }

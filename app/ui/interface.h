@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/frame.h"
+#include "core/highlight.h"
 #include "core/scene.h"
 
 #include <filesystem>
@@ -41,7 +42,7 @@ public:
     /// is made anew where the scale changed or letters are missing; true says so, and that the backend must upload it again.
     bool prepare(Theme theme, float scale);
 
-    /// Where the picture goes in a framebuffer of this size: what the panel leaves.
+    /// Where the picture goes in a framebuffer of this size: what the panels leave.
     PixelRect picture(glm::ivec2 framebuffer) const;
 
     /// Between ImGui::NewFrame and ImGui::Render: draws everything over `frame` and edits the scene.
@@ -53,6 +54,14 @@ public:
     void show_error(std::string_view line);
     /// One line that may go by itself, such as "Saved …".
     void show_note(std::string_view line);
+
+    /// The derivation, at the right of the picture; key D.
+    void show_derivation(bool shown);
+    bool derivation_shown() const;
+    /// What the pointer is on in the derivation, as of the last draw: the picture lights it up.
+    std::optional<Highlight> highlighted() const;
+    /// What the pointer is on in the picture: the derivation lights it up, until told otherwise.
+    void highlight(const std::optional<Highlight>& in_picture);
 
     /// Seconds until it wants to be drawn again though nothing happens, such as for a tooltip; infinite if never. Beyond
     /// that, Dear ImGui needs two more frames after each event to settle.

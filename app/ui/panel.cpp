@@ -9,6 +9,8 @@ namespace normalscope {
 
 namespace {
 
+constexpr float kIconSide = 27.0f;
+
 void scene_menu(PanelMemory& memory, const PanelContext& context, float width) {
     const Look& look = context.look;
     const std::string& file = context.status.file;
@@ -29,29 +31,35 @@ void scene_menu(PanelMemory& memory, const PanelContext& context, float width) {
 
 void toolbar(Scene& scene, PanelMemory& memory, const PanelContext& context) {
     const Look& look = context.look;
-    constexpr int kIcons = 7;
-    const float side = look.px(30), gap = look.px(2);
+    constexpr int kIcons = 8;
+    const float side = look.px(kIconSide), gap = look.px(2);
     scene_menu(memory, context, ImGui::GetContentRegionAvail().x - kIcons * (side + gap) - look.px(4));
     ImGui::SameLine(0, look.px(4) + gap);
-    if (icon_button(look, "##open", Icon::Open, "Open a scene or a mesh… (Ctrl+O)"))
+    if (icon_button(look, "##open", Icon::Open, "Open a scene or a mesh… (Ctrl+O)", true, kIconSide))
         context.dialog.open(FileDialog::For::OpenAny);
     ImGui::SameLine(0, gap);
-    if (icon_button(look, "##save", Icon::Save, "Save the scene… (Ctrl+S)"))
+    if (icon_button(look, "##save", Icon::Save, "Save the scene… (Ctrl+S)", true, kIconSide))
         context.dialog.open(FileDialog::For::SaveScene);
     ImGui::SameLine(0, gap);
-    if (icon_button(look, "##picture", Icon::Picture, "Save the picture… (Ctrl+P)"))
+    if (icon_button(look, "##picture", Icon::Picture, "Save the picture… (Ctrl+P)", true, kIconSide))
         context.dialog.open(FileDialog::For::SavePicture);
     ImGui::SameLine(0, gap);
-    if (icon_button(look, "##undo", Icon::Undo, "Undo (Ctrl+Z)", context.status.can_undo)) context.requests.undo = true;
+    if (icon_button(look, "##undo", Icon::Undo, "Undo (Ctrl+Z)", context.status.can_undo, kIconSide))
+        context.requests.undo = true;
     ImGui::SameLine(0, gap);
-    if (icon_button(look, "##redo", Icon::Redo, "Redo (Ctrl+Shift+Z)", context.status.can_redo))
+    if (icon_button(look, "##redo", Icon::Redo, "Redo (Ctrl+Shift+Z)", context.status.can_redo, kIconSide))
         context.requests.redo = true;
     ImGui::SameLine(0, gap);
+    if (icon_button(look, "##derivation", Icon::Formula, "Why the inverse transpose? The derivation (D)", true,
+                    kIconSide))
+        context.derivation = !context.derivation;
+    ImGui::SameLine(0, gap);
     const bool dark = scene.theme == Theme::Dark;
-    if (icon_button(look, "##theme", dark ? Icon::Sun : Icon::Moon, dark ? "Light theme (T)" : "Dark theme (T)"))
+    if (icon_button(look, "##theme", dark ? Icon::Sun : Icon::Moon, dark ? "Light theme (T)" : "Dark theme (T)", true,
+                    kIconSide))
         scene.theme = dark ? Theme::Light : Theme::Dark;
     ImGui::SameLine(0, gap);
-    if (icon_button(look, "##help", Icon::Help, "Mouse and keys (F1)")) context.help = !context.help;
+    if (icon_button(look, "##help", Icon::Help, "Mouse and keys (F1)", true, kIconSide)) context.help = !context.help;
 }
 
 void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context) {

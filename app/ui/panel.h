@@ -18,6 +18,7 @@ struct PanelContext {
     Requests& requests;
     FileDialog& dialog;
     bool& help;
+    bool& derivation;
 };
 
 /// What the panel remembers from frame to frame.
