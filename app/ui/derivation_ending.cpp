@@ -63,9 +63,7 @@ std::string about_cofactor(const Derivation& derivation) {
     if (!truth || !cofactor) return {};
     const auto same = product(transpose(*cofactor), *truth);
     if (same && (*same)(0, 0) < 0.0)
-        return "The cofactor’s, cof(M₃) n_obj, is the opposite one: M₃ reflects, and it follows the winding, which is "
-               "turned "
-               "over, while the inverse transpose keeps pointing outward. Each is right for its own question.";
+        return "The cofactor’s, cof(M₃) n_obj, is perpendicular, too, and points the other way.";
     return "The cofactor’s, cof(M₃) n_obj, has the same direction, and is det(M₃) times as long.";
 }
 

@@ -1,5 +1,6 @@
 #include "ui/derivation_panel.h"
 
+#include "core/explanation.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -42,8 +43,12 @@ void DerivationPanel::lay_out(const Look& look, const Scene& scene, const Frame&
         basis.probe = {probe->point.xyz, probe->normal.xyz, probe->tangents[0].xyz, probe->tangents[1].xyz};
     }
     if (laid_out_for_ == basis) return;
-    const Derivation data = derivation(m, static_cast<int>(scene.stack.size()), probe, tangent_);
+    const Derivation data = derivation(m, static_cast<int>(applied_stack(scene).size()), probe, tangent_);
     passages_ = passages(look, data, shown_, tangent_, width);
+    const Meaning by = data.n_world_by == Rule::Cofactor ? Meaning::Cofactor : Meaning::InverseTranspose;
+    notes_.clear();
+    for (const std::string& note : notes(scene, m, probe))
+        notes_.push_back(paragraph(math_style(look), note, width, Ink::Plain, by));
     laid_out_for_ = std::move(basis);
 }
 
@@ -227,6 +232,23 @@ void DerivationPanel::passage(const Look& look, std::size_t i) {
     ImGui::Dummy({width, height});
 }
 
+// What is special about this M, before all lines.
+void DerivationPanel::draw_notes(const Look& look) {
+    if (notes_.empty()) return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float pad = look.px(8), width = ImGui::GetContentRegionAvail().x;
+    float height = pad;
+    for (const MathBox& note : notes_) height += note.height() + pad;
+    list.AddRectFilled(from, {from.x + width, from.y + height}, packed(look.card), look.px(6));
+    float y = from.y + pad;
+    for (const MathBox& note : notes_) {
+        draw_math(list, look, note, {from.x + look.px(kGutter) + look.px(6), y + note.ascent});
+        y += note.height() + pad;
+    }
+    ImGui::Dummy({width, height + look.px(4)});
+}
+
 void DerivationPanel::draw(const Look& look, const Scene& scene, const Frame& frame, bool& shown) {
     pointed_at_before_ = std::exchange(pointed_at_, std::nullopt);
     if (!shown) return;
@@ -263,6 +285,7 @@ void DerivationPanel::draw(const Look& look, const Scene& scene, const Frame& fr
     const bool lines =
         ImGui::BeginChild("##lines", {width, 0}, ImGuiChildFlags_AlwaysUseWindowPadding,
                           ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_AlwaysVerticalScrollbar | no_keys);
+    if (lines) draw_notes(look);
     if (lines)
         for (std::size_t i = 0; i < passages_.size() && (!stepping_ || i <= current_); ++i) passage(look, i);
     ImGui::EndChild();

@@ -42,6 +42,7 @@ private:
     void progress(const Look& look);
     void keys();
     void go_to(std::size_t passage);
+    void draw_notes(const Look& look);
     void passage(const Look& look, std::size_t i);
     void row(const Look& look, const Passage::Row& row, ImVec2 at);
     void part_tip(const Look& look, const MathBox::Part& part) const;
@@ -55,6 +56,7 @@ private:
 
     std::optional<Basis> laid_out_for_;
     std::vector<Passage> passages_;
+    std::vector<MathBox> notes_;
 };
 
 }  // namespace normalscope

@@ -106,7 +106,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
                     .dialog = s.dialog,
                     .help = s.help,
                     .derivation = s.derivation_shown});
-    if (!ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive() && !ImGui::GetIO().KeyMods &&
+    if (!ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive() && !s.dialog.is_open() && !ImGui::GetIO().KeyMods &&
         ImGui::IsKeyPressed(ImGuiKey_D, false))
         s.derivation_shown = !s.derivation_shown;
     const bool help = s.help;
