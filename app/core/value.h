@@ -23,8 +23,10 @@ struct Value {
     std::array<double, 16> terms{};
 
     double operator()(int row, int column) const { return entries[index(row, column)]; }
-    std::size_t index(int row, int column) const { return static_cast<std::size_t>(row * columns + column); }
-    std::size_t size() const { return static_cast<std::size_t>(rows * columns); }
+    std::size_t index(int row, int column) const {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+    }
+    std::size_t size() const { return static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns); }
     bool is_number() const { return size() == 1; }
     /// The entry as people would have it: 0 where it is no larger than its rounding error; never −0.
     double clean(int row, int column) const;
