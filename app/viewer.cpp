@@ -113,7 +113,10 @@ void Viewer::connect() {
         on_event(window, [&](Viewer& v) {
             const glm::dvec2 at = glm::dvec2(x, y) * v.window_.pixels_per_pointer_unit();
             ImGui_ImplGlfw_CursorPosCallback(window, at.x, at.y);
-            if (v.frame_) v.pointer_.move(v.scene_, *v.frame_, at, v.window_.content_scale());
+            if (!v.frame_) return;
+            v.pointer_.move(v.scene_, *v.frame_, at, v.window_.content_scale());
+            const bool free = !v.pointer_.busy() && !v.gui_.wants_mouse() && v.gui_.interface.derivation_shown();
+            v.gui_.interface.highlight(free ? highlight_at(*v.frame_, at, 7.0 * v.window_.content_scale()) : std::nullopt);
         });
     });
     glfwSetMouseButtonCallback(w, [](GLFWwindow* window, int button, int action, int modifiers) {
@@ -210,7 +213,7 @@ Frame Viewer::frame_now(bool handles) {
     const auto make = [&] {
         return make_frame(scene_, surfaces_->get(scene_),
                           {.rect = gui_.interface.picture(window_.framebuffer_size()), .pixel_scale = window_.content_scale(),
-                           .hot_axis = pointer_.hot_axis(), .handles = handles});
+                           .hot_axis = pointer_.hot_axis(), .highlight = gui_.interface.highlighted(), .handles = handles});
     };
     try {
         return make();

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/camera.h"
-#include "core/expression.h"
+#include "core/highlight.h"
 #include "core/mistakes.h"
 #include "core/palette.h"
 #include "core/probe.h"
@@ -60,7 +60,7 @@ struct SolidVertex {
 
 /// What a symbol of the equations is in the picture: pointing at one lights up the other.
 struct SymbolArrow {
-    Symbol symbol = Symbol::Zero;
+    Highlight what;
     glm::dvec3 base{0.0}, vector{0.0};  ///< in world space
     glm::vec3 color{1.0f};
 };
@@ -112,7 +112,7 @@ struct FrameOptions {
     PixelRect rect;
     float pixel_scale = 1.0f;           ///< physical pixels per logical one
     std::optional<int> hot_axis{};      ///< the axis handle under the pointer
-    std::optional<Symbol> highlight{};  ///< what is pointed at in the equations
+    std::optional<Highlight> highlight{};  ///< what is pointed at in the equations
     bool handles = true;                ///< knobs on the axes, to be dragged
 };
 

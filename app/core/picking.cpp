@@ -68,19 +68,19 @@ std::optional<Point<Object>> picked_point(const Frame& frame, const Transform<Wo
     return std::nullopt;
 }
 
-std::optional<Symbol> symbol_at(const Frame& frame, glm::dvec2 pixel, double reach) {
+std::optional<Highlight> highlight_at(const Frame& frame, glm::dvec2 pixel, double reach) {
     const Pane* pane = pane_at(frame, pixel);
     if (!pane) return std::nullopt;
-    std::optional<Symbol> found;
+    std::optional<Highlight> found;
     double nearest = reach;
     for (const SymbolArrow& arrow : pane->symbols) {
-        if (arrow.symbol == Symbol::M3) continue;  // lies across the whole picture, and is drawn only when pointed at
+        if (arrow.what.symbol == Symbol::M3) continue;  // lies across the whole picture, and is drawn only when pointed at
         const glm::dvec3 from = pane->view.pixel({arrow.base}), to = pane->view.pixel({arrow.base + arrow.vector});
         if (from.z <= 0.0 || to.z <= 0.0) continue;
         const double distance = to_segment(pixel - glm::dvec2(pane->rect.origin), from, to).distance;
         if (distance > nearest) continue;
         nearest = distance;
-        found = arrow.symbol;
+        found = arrow.what;
     }
     return found;
 }

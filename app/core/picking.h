@@ -14,8 +14,8 @@ const Pane* pane_at(const Frame& frame, glm::dvec2 pixel);
 std::optional<Point<Object>> picked_point(const Frame& frame, const Transform<World, Object>& worldFromObject, glm::dvec2 pixel,
                                           double reach);
 
-/// What symbol of the equations the arrow within `reach` pixels stands for.
-std::optional<Symbol> symbol_at(const Frame& frame, glm::dvec2 pixel, double reach);
+/// What the arrow of the probe within `reach` pixels is in the equations.
+std::optional<Highlight> highlight_at(const Frame& frame, glm::dvec2 pixel, double reach);
 
 /// A ball around the transformed object.
 struct WorldBall {

@@ -40,29 +40,35 @@ void add_angle_label(Pane& pane, const std::vector<glm::dvec3>& arc, double degr
 
 bool parallel(const glm::dvec3& a, const glm::dvec3& b) { return glm::length(glm::cross(a, b)) < 1e-9; }
 
-// What the derivation's symbols stand for at the probe. n_world is the normal that keeps its right angle.
+// What the derivation's symbols stand for at the probe. The true n_world is the inverse transpose's or, where that does
+// not exist, the cofactor's.
 std::vector<SymbolArrow> symbol_arrows(const ProbeInWorld& probe, const Scene& scene, double length) {
-    const glm::vec3 grey = arrow_color(ArrowKind::Object, scene.theme);
     const glm::dvec3 from = probe.object.point.xyz, to = probe.point.xyz;
-    std::vector<SymbolArrow> arrows{{Symbol::NObject, from, length * probe.object.normal.xyz, grey},
-                                    {Symbol::VObject, from, 0.6 * length * probe.object.tangents[0].xyz, kTangentColor}};
-    if (const glm::dvec3 v = probe.tangents[0].xyz; glm::length(v) > 0.0)
-        arrows.push_back({Symbol::VWorld, to, 0.6 * length * glm::normalize(v), kTangentColor});
-    for (const Rule rule : {Rule::InverseTranspose, Rule::Cofactor})
-        if (const auto& n = probe.normals[static_cast<std::size_t>(rule)]; n && glm::length(n->xyz) > 0.0) {
-            arrows.push_back({Symbol::NWorld, to, length * glm::normalize(n->xyz), rule_color(rule)});
-            break;
-        }
-    if (glm::length(to - from) > 1e-6) arrows.push_back({Symbol::M3, from, to - from, theme_colors(scene.theme).text});
+    std::vector<SymbolArrow> arrows;
+    const auto add = [&](const Highlight& what, const glm::dvec3& base, const glm::dvec3& direction, double long_as, const glm::vec3& color) {
+        if (glm::length(direction) > 0.0) arrows.push_back({what, base, long_as * glm::normalize(direction), color});
+    };
+    add({.symbol = Symbol::NObject}, from, probe.object.normal.xyz, length, arrow_color(ArrowKind::Object, scene.theme));
+    for (std::size_t k = 0; k < 2; ++k) {
+        add({.symbol = Symbol::VObject, .tangent = k}, from, probe.object.tangents[k].xyz, 0.6 * length, kTangentColor);
+        add({.symbol = Symbol::VWorld, .tangent = k}, to, probe.tangents[k].xyz, 0.6 * length, kTangentColor);
+    }
+    const auto& [naive, inverse_transpose, cofactor] = probe.normals;
+    if (naive) add({.symbol = Symbol::NWorld, .naive = true}, to, naive->xyz, length, kNaiveColor);
+    if (inverse_transpose) add({.symbol = Symbol::NWorld}, to, inverse_transpose->xyz, length, kInverseTransposeColor);
+    else if (cofactor) add({.symbol = Symbol::NWorld}, to, cofactor->xyz, length, kCofactorColor);
+    // M3 takes the one object to the other.
+    if (glm::length(to - from) > 1e-6) add({.symbol = Symbol::M3}, from, to - from, glm::length(to - from), theme_colors(scene.theme).text);
     return arrows;
 }
 
-void add_highlight(Pane& pane, Symbol symbol, double radius) {
-    constexpr glm::vec4 kGlow(0.94f, 0.89f, 0.26f, 0.55f);
+constexpr glm::vec4 kGlow(0.94f, 0.89f, 0.26f, 0.55f);
+
+void add_highlight(Pane& pane, const Highlight& what, double radius) {
     for (const SymbolArrow& arrow : pane.symbols) {
-        if (arrow.symbol != symbol) continue;
+        if (arrow.what != what) continue;
         add_arrow(pane.solids, arrow.base, arrow.vector, 1.3 * radius, glm::vec4(arrow.color, 1.0f));
-        add_tube(pane.translucent, std::array{arrow.base, arrow.base + arrow.vector}, 5.0 * radius, kGlow);
+        add_tube(pane.translucent, std::array{arrow.base, arrow.base + arrow.vector}, 3.4 * radius, kGlow);
     }
 }
 
@@ -97,7 +103,8 @@ void add_probe_marks(Pane& pane, const Scene& scene, const ProbeInWorld& probe, 
         // Lifted a little, or it would flicker against the surface that it touches.
         const double side = glm::dot(plane->normal, pane.view.eye().xyz - centre) < 0.0 ? -1.0 : 1.0;
         const glm::dvec3 lifted = centre + side * 0.012 * plane->normal;
-        add_patch(pane.translucent, lifted, half * plane->u, half * plane->v, glm::vec4(kTangentColor, 0.20f));
+        const bool pointed_at = options.highlight && options.highlight->symbol == Symbol::Zero;
+        add_patch(pane.translucent, lifted, half * plane->u, half * plane->v, pointed_at ? kGlow : glm::vec4(kTangentColor, 0.20f));
         const std::array rim{lifted - half * plane->u - half * plane->v, lifted + half * plane->u - half * plane->v,
                              lifted + half * plane->u + half * plane->v, lifted - half * plane->u + half * plane->v};
         add_tube(pane.solids, rim, 0.7 * line, blue, true);
