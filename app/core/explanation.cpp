@@ -21,6 +21,8 @@ std::string note_on(const Scene& scene, const Transform<World, Object>& m, const
     return off ? note + " At the probe its direction is off by " + number_text(*off, 1e-7, 3) + "°." : note;
 }
 
+}  // namespace
+
 std::vector<std::string> notes(const Scene& scene, const Transform<World, Object>& m,
                                const std::optional<Probe>& probe) {
     const NormalMatrices& matrices = m.normal_matrices_by_rule();
@@ -66,8 +68,6 @@ std::vector<std::string> notes(const Scene& scene, const Transform<World, Object
             "The camera sees nothing of the surface, so there is no probe, and the derivation has no numbers.");
     return result;
 }
-
-}  // namespace
 
 std::string_view name(ExplainFormat format) {
     constexpr std::array<std::string_view, 3> kNames{"text", "json", "latex"};

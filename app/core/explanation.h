@@ -29,6 +29,10 @@ struct Explanation {
     std::vector<MapClassRow> classes;
 };
 
+/// What is special about a scene's M and what cannot be said of it, in sentences; with how sure its inverse is.
+std::vector<std::string> notes(const Scene& scene, const Transform<World, Object>& m,
+                               const std::optional<Probe>& probe);
+
 /// Throws InputError as world_from_object does. Independent of the surface, but for its probe: about 0.1 ms.
 /// `tangent`: which of the probe's two tangents the derivation follows.
 Explanation explanation(const Scene& scene, const std::optional<Probe>& probe, std::size_t tangent = 0);

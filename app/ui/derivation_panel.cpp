@@ -36,18 +36,17 @@ float height_of(const Passage& passage) {
 
 void DerivationPanel::lay_out(const Look& look, const Scene& scene, const Frame& frame, float width) {
     const Transform<World, Object> m = world_from_object(scene);
-    Basis basis{m.matrix(), m.normal_matrices_by_rule().rank, std::nullopt, tangent_, shown_, width};
-    std::optional<Probe> probe;
-    if (frame.probe) {
-        probe = frame.probe->object;
-        basis.probe = {probe->point.xyz, probe->normal.xyz, probe->tangents[0].xyz, probe->tangents[1].xyz};
-    }
+    const int factors = static_cast<int>(applied_stack(scene).size());
+    const std::optional<Probe> probe = frame.probe ? std::optional(frame.probe->object) : std::nullopt;
+    Basis basis{m.matrix(), m.normal_matrices_by_rule().rank, factors, notes(scene, m, probe), {}, tangent_, shown_,
+                width};
+    if (probe) basis.probe = {probe->point.xyz, probe->normal.xyz, probe->tangents[0].xyz, probe->tangents[1].xyz};
     if (laid_out_for_ == basis) return;
-    const Derivation data = derivation(m, static_cast<int>(applied_stack(scene).size()), probe, tangent_);
+    const Derivation data = derivation(m, factors, probe, tangent_);
     passages_ = passages(look, data, shown_, tangent_, width);
     const Meaning by = data.n_world_by == Rule::Cofactor ? Meaning::Cofactor : Meaning::InverseTranspose;
     notes_.clear();
-    for (const std::string& note : notes(scene, m, probe))
+    for (const std::string& note : basis.notes)
         notes_.push_back(paragraph(math_style(look), note, width, Ink::Plain, by));
     laid_out_for_ = std::move(basis);
 }

@@ -6,6 +6,7 @@
 #include "ui/derivation_passages.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace normalscope {
@@ -29,7 +30,8 @@ private:
     /// What the layout follows from.
     struct Basis {
         glm::dmat4 m{1.0};
-        int rank = 3;
+        int rank = 3, factors = 0;
+        std::vector<std::string> notes;
         std::optional<std::array<glm::dvec3, 4>> probe;  ///< point, normal, tangents
         std::size_t tangent = 0;
         NamesOrNumbers shown;
