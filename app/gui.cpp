@@ -38,6 +38,6 @@ void Gui::draw() const { ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 
 bool Gui::wants_mouse() const { return ImGui::GetIO().WantCaptureMouse; }
 bool Gui::wants_keyboard() const { return ImGui::GetIO().WantTextInput; }
-bool Gui::editing() const { return ImGui::IsAnyItemActive(); }
+bool Gui::editing() const { return ImGui::IsAnyItemActive() || interface.playing(); }
 
 }  // namespace normalscope

@@ -26,7 +26,7 @@ public:
 
     bool wants_mouse() const;
     bool wants_keyboard() const;
-    /// While a slider or a handle is held, a change is not finished.
+    /// While a slider or a handle is held, or the stack is played, a change is not finished.
     bool editing() const;
 
     Interface interface;

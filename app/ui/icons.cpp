@@ -119,10 +119,6 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 col
         case Icon::Down: pen.path(std::array{ImVec2(-0.5f, -0.25f), ImVec2(0, 0.3f), ImVec2(0.5f, -0.25f)}); break;
         case Icon::Left: pen.path(std::array{ImVec2(0.25f, -0.5f), ImVec2(-0.3f, 0), ImVec2(0.25f, 0.5f)}); break;
         case Icon::Right: pen.path(std::array{ImVec2(-0.25f, -0.5f), ImVec2(0.3f, 0), ImVec2(-0.25f, 0.5f)}); break;
-        case Icon::Formula:  // a sum sign
-            pen.path(std::array{ImVec2(0.6f, -0.5f), ImVec2(0.6f, -0.8f), ImVec2(-0.6f, -0.8f), ImVec2(0.1f, 0),
-                                ImVec2(-0.6f, 0.8f), ImVec2(0.6f, 0.8f), ImVec2(0.6f, 0.5f)});
-            break;
         case Icon::Close:
             pen.line(-0.5f, -0.5f, 0.5f, 0.5f);
             pen.line(0.5f, -0.5f, -0.5f, 0.5f);
@@ -142,6 +138,21 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 col
                 pen.dot(-0.25f, y, 0.12f);
                 pen.dot(0.25f, y, 0.12f);
             }
+            break;
+        case Icon::Play:
+            pen.path(std::array{ImVec2(-0.4f, -0.65f), ImVec2(0.65f, 0), ImVec2(-0.4f, 0.65f)}, true);
+            break;
+        case Icon::Pause:
+            pen.line(-0.35f, -0.6f, -0.35f, 0.6f);
+            pen.line(0.35f, -0.6f, 0.35f, 0.6f);
+            break;
+        case Icon::Previous:
+            pen.path(std::array{ImVec2(0.45f, -0.55f), ImVec2(-0.2f, 0), ImVec2(0.45f, 0.55f)});
+            pen.line(-0.5f, -0.55f, -0.5f, 0.55f);
+            break;
+        case Icon::Next:
+            pen.path(std::array{ImVec2(-0.45f, -0.55f), ImVec2(0.2f, 0), ImVec2(-0.45f, 0.55f)});
+            pen.line(0.5f, -0.55f, 0.5f, 0.55f);
             break;
     }
 }

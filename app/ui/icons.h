@@ -26,7 +26,10 @@ enum class Icon {
     Grip,
     Folder,
     File,
-    Formula
+    Play,
+    Pause,
+    Previous,
+    Next
 };
 
 /// Draws an icon into the square of this side about `centre`, in lines of one weight.

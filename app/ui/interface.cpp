@@ -2,13 +2,18 @@
 
 #include "core/error.h"
 #include "ui/derivation_panel.h"
+#include "ui/error_tab.h"
 #include "ui/file_dialog.h"
 #include "ui/help.h"
+#include "ui/maps_tab.h"
 #include "ui/messages.h"
 #include "ui/panel.h"
+#include "ui/side_panel.h"
+#include "ui/stack_tab.h"
 #include "ui/words.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -21,16 +26,29 @@ struct Interface::State {
     DerivationPanel derivation;
     FileDialog dialog;
     Messages messages;
-    bool panel_shown = true, derivation_shown = false, help = false;
+    SideMemory side;
+    StackTab stack;
+    MapsTab maps;
+    ErrorTab error;
+    bool panel_shown = true, help = false;
     double wake = std::numeric_limits<double>::infinity();
     double pointer_rested = 0.0;  ///< since when, by ImGui::GetTime
     double popups_changed = -1e9;
     bool popup = false;
 
     void watch_the_clock();
+    std::vector<SideTab> tabs();
+    /// How much of the framebuffer's width the open tab takes.
+    int side_width(int framebuffer) const;
 };
 
 namespace {
+
+constexpr std::array<std::string_view, 4> kTabIds{"derivation", "stack", "maps", "error"};
+constexpr std::size_t kDerivation = 0;
+
+// In a window hardly wider than what stands beside the picture, that covers part of it rather than all.
+constexpr float kNarrowestPicture = 240.0f;
 
 // What can be done to a scene without a product that overflows; the last stack is kept otherwise.
 void undo_overflow(Scene& scene, std::vector<StackEntry>& before, Messages& messages) {
@@ -59,6 +77,22 @@ void Interface::State::watch_the_clock() {
     if (ImGui::IsAnyItemHovered() && now - pointer_rested < tooltips) wake = std::min(wake, 0.1);
     if (now - popups_changed < 0.3) wake = std::min(wake, 1.0 / 30.0);
     if (letters.pending()) wake = 0.0;
+    if (stack.player.playing) wake = 0.0;
+}
+
+std::vector<SideTab> Interface::State::tabs() {
+    return {{kTabIds[kDerivation], "Derivation", "Why the inverse transpose? Line by line, with the scene's numbers. (D)", {}},
+            {kTabIds[1], "Stack", "The transforms one by one: their inverses, their products, and the wrong orders.",
+             [this](Scene& scene, const SideContext& context) { draw_stack_tab(scene, stack, context); }},
+            {kTabIds[2], "Maps", "The classes of maps, and what each does to normals.",
+             [this](Scene& scene, const SideContext& context) { draw_maps_tab(scene, maps, context); }},
+            {kTabIds[3], "Error", "How far off the naive rule is: over the surface, and against the stretch.",
+             [this](Scene& scene, const SideContext& context) { draw_error_tab(scene, error, context); }}};
+}
+
+int Interface::State::side_width(int framebuffer) const {
+    if (!side.open) return 0;
+    return std::min(static_cast<int>(look.px(side.open == kDerivation ? kDerivationWidth : kSideWidth)), framebuffer);
 }
 
 Interface::Interface() : state_{std::make_unique<State>()} {}
@@ -87,8 +121,8 @@ PixelRect Interface::picture(glm::ivec2 framebuffer) const {
     const int panel = state_->panel_shown ? static_cast<int>(state_->look.px(kPanelWidth)) : 0;
     // In a window hardly wider than the panels, they cover part of the picture rather than all of it.
     const int left = framebuffer.x - panel >= panel / 4 ? panel : 0;
-    const int derivation = state_->derivation_shown ? static_cast<int>(state_->look.px(kDerivationWidth)) : 0;
-    const int right = framebuffer.x - left - derivation >= derivation / 2 ? derivation : 0;
+    const int side = state_->side_width(framebuffer.x);
+    const int right = framebuffer.x - left - side >= static_cast<int>(state_->look.px(kNarrowestPicture)) ? side : 0;
     return {{left, 0}, {std::max(framebuffer.x - left - right, 1), std::max(framebuffer.y, 1)}};
 }
 
@@ -97,6 +131,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     State& s = *state_;
     std::vector<StackEntry> before = scene.stack;
     draw_words(frame);
+    const std::vector<SideTab> tabs = s.tabs();
     if (s.panel_shown)
         draw_panel(scene, s.panel,
                    {.look = s.look,
@@ -104,18 +139,23 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
                     .status = status,
                     .requests = requests,
                     .dialog = s.dialog,
-                    .help = s.help,
-                    .derivation = s.derivation_shown});
+                    .tabs = tabs,
+                    .side = s.side,
+                    .help = s.help});
+    draw_side_panel(scene, tabs, s.side, {.look = s.look, .frame = frame, .status = status});
     if (!ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive() && !s.dialog.is_open() && !ImGui::GetIO().KeyMods &&
         ImGui::IsKeyPressed(ImGuiKey_D, false))
-        s.derivation_shown = !s.derivation_shown;
+        show_derivation(!derivation_shown());
+    advance(s.stack.player, scene);
     const bool help = s.help;
     draw_help(s.look, frame.rect, s.help);
     s.dialog.draw(s.look, s.letters, requests);
     if (!help && !s.dialog.is_open() && !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGuiKey_Escape, false))
         s.messages.dismiss();
     if (scene.stack != before) undo_overflow(scene, before, s.messages);
-    s.derivation.draw(s.look, scene, frame, s.derivation_shown);
+    bool derivation = derivation_shown();
+    s.derivation.draw(s.look, scene, frame, derivation);
+    if (derivation != derivation_shown()) show_derivation(derivation);
     s.letters.want(s.messages.text(), s.look.fonts.body);
     s.letters.want(status.file, s.look.fonts.body);
     s.messages.draw(s.look, frame);
@@ -125,14 +165,29 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
 
 void Interface::draw_words(const Frame& frame) const { normalscope::draw_words(state_->look, frame); }
 
-void Interface::show_derivation(bool shown) { state_->derivation_shown = shown; }
-bool Interface::derivation_shown() const { return state_->derivation_shown; }
+void Interface::show_derivation(bool shown) {
+    if (shown)
+        state_->side.open = kDerivation;
+    else if (derivation_shown())
+        state_->side.open.reset();
+}
+bool Interface::derivation_shown() const { return state_->side.open == kDerivation; }
 std::optional<Highlight> Interface::highlighted() const { return state_->derivation.pointed_at(); }
 void Interface::highlight(const std::optional<Highlight>& in_picture) { state_->derivation.highlight(in_picture); }
 
 void Interface::show_error(std::string_view line) { state_->messages.show_error(line); }
 void Interface::show_note(std::string_view line) { state_->messages.show_note(line); }
 double Interface::redraw_after() const { return std::min(state_->wake, state_->messages.redraw_after()); }
+
+bool Interface::show_tab(std::string_view id) {
+    const auto found = std::ranges::find(kTabIds, id);
+    if (found == kTabIds.end() && !id.empty()) return false;
+    state_->side.open.reset();
+    if (!id.empty()) state_->side.open = static_cast<std::size_t>(found - kTabIds.begin());
+    return true;
+}
+std::span<const std::string_view> Interface::tabs() { return kTabIds; }
+bool Interface::playing() const { return state_->stack.player.playing; }
 
 void Interface::toggle_help() { state_->help = !state_->help; }
 void Interface::toggle_panel() { state_->panel_shown = !state_->panel_shown; }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -66,6 +67,13 @@ public:
     /// Seconds until it wants to be drawn again though nothing happens, such as for a tooltip; infinite if never. Beyond
     /// that, Dear ImGui needs two more frames after each event to settle.
     double redraw_after() const;
+
+    /// Opens a tab beside the picture: "derivation", "stack", "maps" or "error"; an empty name closes it. False for an unknown name.
+    bool show_tab(std::string_view id);
+    /// The names that show_tab knows.
+    static std::span<const std::string_view> tabs();
+    /// While the stack is being played the scene changes by itself: what it goes through is nothing to be undone.
+    bool playing() const;
 
     void toggle_help();
     void toggle_panel();

@@ -20,9 +20,19 @@ void scene_menu(PanelMemory& memory, const PanelContext& context, float width) {
         return;
     }
     if (memory.scenes.empty()) memory.scenes = built_in_scenes();
-    for (const BuiltInScene& scene : memory.scenes) {
-        if (ImGui::Selectable(scene.name.c_str(), scene.name == file)) context.requests.open = scene.name;
-        tip(look, scene.about.c_str());
+    const auto is_bug = [](const BuiltInScene& scene) { return scene.name.starts_with("bug-"); };
+    for (const bool bugs : {false, true}) {
+        if (bugs) {
+            ImGui::Separator();
+            ImGui::PushFont(look.fonts.small);
+            dim_text(look, "Gallery of bugs");
+            ImGui::PopFont();
+        }
+        for (const BuiltInScene& scene : memory.scenes) {
+            if (is_bug(scene) != bugs) continue;
+            if (ImGui::Selectable(scene.name.c_str(), scene.name == file)) context.requests.open = scene.name;
+            tip(look, scene.about.c_str());
+        }
     }
     ImGui::EndCombo();
 }
@@ -31,7 +41,7 @@ void scene_menu(PanelMemory& memory, const PanelContext& context, float width) {
 
 void toolbar(Scene& scene, PanelMemory& memory, const PanelContext& context) {
     const Look& look = context.look;
-    constexpr int kIcons = 8;
+    constexpr int kIcons = 7;
     const float side = look.px(kIconSide), gap = look.px(2);
     scene_menu(memory, context, ImGui::GetContentRegionAvail().x - kIcons * (side + gap) - look.px(4));
     ImGui::SameLine(0, look.px(4) + gap);
@@ -49,10 +59,6 @@ void toolbar(Scene& scene, PanelMemory& memory, const PanelContext& context) {
     ImGui::SameLine(0, gap);
     if (icon_button(look, "##redo", Icon::Redo, "Redo (Ctrl+Shift+Z)", context.status.can_redo, kIconSide))
         context.requests.redo = true;
-    ImGui::SameLine(0, gap);
-    if (icon_button(look, "##derivation", Icon::Formula, "Why the inverse transpose? The derivation (D)", true,
-                    kIconSide))
-        context.derivation = !context.derivation;
     ImGui::SameLine(0, gap);
     const bool dark = scene.theme == Theme::Dark;
     if (icon_button(look, "##theme", dark ? Icon::Sun : Icon::Moon, dark ? "Light theme (T)" : "Dark theme (T)", true,
@@ -85,7 +91,9 @@ void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context) 
     if (always) {
         toolbar(scene, memory, context);
         rule_buttons(scene, context);
+        mistake_chooser(scene, context);
         view_buttons(scene, context);
+        side_buttons(look, context.tabs, context.side);
     }
     ImGui::EndChild();
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);

@@ -3,9 +3,11 @@
 #include "core/scene_json.h"
 #include "ui/file_dialog.h"
 #include "ui/interface.h"
+#include "ui/side_panel.h"
 #include "ui/stack_section.h"
 #include "ui/style.h"
 
+#include <span>
 #include <vector>
 
 namespace normalscope {
@@ -17,8 +19,9 @@ struct PanelContext {
     const Status& status;
     Requests& requests;
     FileDialog& dialog;
+    std::span<const SideTab> tabs;  ///< of the panel at the right
+    SideMemory& side;
     bool& help;
-    bool& derivation;
 };
 
 /// What the panel remembers from frame to frame.
@@ -36,6 +39,7 @@ void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context);
 // Its parts, from top to bottom.
 void toolbar(Scene& scene, PanelMemory& memory, const PanelContext& context);
 void rule_buttons(Scene& scene, const PanelContext& context);
+void mistake_chooser(Scene& scene, const PanelContext& context);
 void view_buttons(Scene& scene, const PanelContext& context);
 void probe_section(Scene& scene, const PanelContext& context);
 void surface_section(Scene& scene, const PanelContext& context);

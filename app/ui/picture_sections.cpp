@@ -127,13 +127,16 @@ void picture_section(Scene& scene, const PanelContext& context) {
     ImGui::SetNextItemWidth(width);
     if (segmented(look, "color", color, kColors)) scene.color = static_cast<SurfaceColor>(color);
 
-    static constexpr std::array<Toggle, 6> kToggles{{
+    static constexpr std::array<Toggle, 7> kToggles{{
         {"ghost", "The untransformed object. (G)", &Shown::ghost},
         {"ground grid", "The ground and the object's shadow on it.", &Shown::grid},
         {"axes", "The object's axes; drag their knobs in the picture to stretch it.", &Shown::axes},
         {"tangent plane", "At the probe, with the right-angle marks.", &Shown::tangent_plane},
         {"probe", "The probe's own arrows, arc and labels.", &Shown::probe},
         {"legend", "What the colours mean.", &Shown::legend},
+        {"stretch axes",
+         "The perpendicular directions that M only stretches, and the normals that the naive rule treats worst.",
+         &Shown::stretch_axes},
     }};
     const float left = ImGui::GetCursorPosX();
     push_small_boxes(look);
@@ -142,6 +145,13 @@ void picture_section(Scene& scene, const PanelContext& context) {
         ImGui::Checkbox(kToggles[i].label, &(scene.show.*kToggles[i].value));
         tip(look, kToggles[i].about);
     }
+    ImGui::SameLine(left + half + gap);
+    ImGui::Checkbox("renormalise", &scene.renormalise);
+    tip(look, "Make the normals unit again at each pixel, after they were interpolated between the vertices: in between "
+              "they come out too short.");
+    ImGui::Checkbox("cull backs", &scene.cull);
+    tip(look, "Leave out the triangles whose winding shows their back, as many programs do to save time: a reflection "
+              "turns the winding over, and what is left is the far side.");
     ImGui::PopStyleVar();
 
     dim_text(look, "light from");

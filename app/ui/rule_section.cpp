@@ -1,6 +1,8 @@
 #include "ui/panel.h"
 
+#include "core/mistakes.h"
 #include "core/palette.h"
+#include "core/scene_fields.h"
 #include "ui/widgets.h"
 
 #include <array>
@@ -30,7 +32,23 @@ constexpr std::array<RuleButton, 3> kButtons{{
      "reflection turns over. (C)"},
 }};
 
+// The largest font in which the text fits.
+const ImFont* fitting(const Look& look, std::string_view text, float width) {
+    for (const ImFont* font : {look.fonts.title, look.fonts.strong})
+        if (font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.data(), text.data() + text.size()).x <= width)
+            return font;
+    return look.fonts.small;
+}
+
+// Some formulas go on in words, which the button has no room for.
+std::string_view before_comma(std::string_view text) { return text.substr(0, text.find(", as")); }
+
 void button(const Look& look, Scene& scene, const RuleButton& b, bool exists, ImVec2 size) {
+    // The scene may put another mistake into the naive rule's place.
+    const bool mistaken = b.rule == Rule::Naive && scene.mistake != Mistake::Naive;
+    const MistakeText mistake = text(scene.mistake);
+    const std::string_view label = mistaken ? mistake.title : std::string_view(b.label),
+                           mathematics = mistaken ? before_comma(mistake.formula) : formula(b.rule);
     const bool chosen = scene.rule == b.rule;
     const glm::vec3 color = rule_color(b.rule);
     const ImVec4 tint = to_imgui(color), ink = look.readable(b.rule);
@@ -46,22 +64,30 @@ void button(const Look& look, Scene& scene, const RuleButton& b, bool exists, Im
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (chosen) list.AddRect({low.x + 1, low.y + 1}, {high.x - 1, high.y - 1}, packed(tint), look.px(6), 0, look.px(2));
-    const auto centred = [&](ImFont* font, float y, ImVec4 ink_color, std::string_view text) {
-        const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.data(), text.data() + text.size());
-        list.AddText(font, font->FontSize, {std::round((low.x + high.x - extent.x) / 2), y}, packed(ink_color),
-                     text.data(), text.data() + text.size());
+    const auto centred = [&](const ImFont* font, float middle, ImVec4 ink_color, std::string_view words) {
+        const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, words.data(), words.data() + words.size());
+        list.AddText(font, font->FontSize,
+                     {std::round((low.x + high.x - extent.x) / 2), std::round(middle - font->FontSize / 2)},
+                     packed(ink_color), words.data(), words.data() + words.size());
     };
     draw_arrow(list, arrow_kind(b.rule), {low.x + look.px(10), low.y + look.px(13)},
                {low.x + look.px(38), low.y + look.px(13)}, look.px(3), packed(tint));
     const ImVec2 key = look.fonts.small->CalcTextSizeA(look.fonts.small->FontSize, 1e9f, 0, b.key);
     list.AddText(look.fonts.small, look.fonts.small->FontSize, {high.x - key.x - look.px(8), low.y + look.px(4)},
                  packed(look.dim), b.key);
-    centred(look.fonts.title, low.y + look.px(18), ink, formula(b.rule));
-    centred(look.fonts.small, low.y + look.px(44), chosen ? look.text : look.dim, b.label);
+    centred(fitting(look, mathematics, size.x - look.px(12)), low.y + look.px(18) + look.fonts.title->FontSize / 2, ink,
+            mathematics);
+    ImGui::PushFont(look.fonts.small);
+    const std::string whole_label = shortened(std::string(label), size.x - look.px(4));
+    ImGui::PopFont();
+    centred(look.fonts.small, low.y + look.px(44) + look.fonts.small->FontSize / 2, chosen ? look.text : look.dim,
+            whole_label);
     ImGui::PopStyleVar();
 
     const std::string about =
-        std::string(b.about) +
+        (mistaken ? std::string(mistake.title) + ", in the naive rule's place: " + std::string(mistake.formula) + ". " +
+                        std::string(mistake.reason) + " (N)"
+                  : std::string(b.about)) +
         (exists
              ? ""
              : "\n\nNot here: this M has no inverse. It can still be chosen; the surface is then drawn without light.");
@@ -80,6 +106,44 @@ void rule_buttons(Scene& scene, const PanelContext& context) {
         button(look, scene, kButtons[i], kButtons[i].rule != Rule::InverseTranspose || invertible,
                {width, look.px(66)});
     }
+}
+
+void mistake_chooser(Scene& scene, const PanelContext& context) {
+    const Look& look = context.look;
+    const MistakeText chosen = text(scene.mistake);
+    const bool plain = scene.mistake == Mistake::Naive;
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (begin_combo(look, "##mistake",
+                    plain ? std::string("mistake: the naive rule") : "mistake: " + std::string(chosen.title), width)) {
+        const ImFont* small = look.fonts.small;
+        for (const auto& [mistake, id] : kMistakeNames) {
+            const MistakeText words = text(mistake);
+            const std::string title(words.title), formula(words.formula);
+            ImGui::PushID(static_cast<int>(mistake));
+            if (ImGui::Selectable("##choose", mistake == scene.mistake)) scene.mistake = mistake;
+            ImGui::PopID();
+            const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+            tip(look, std::string(words.reason).c_str());
+            ImDrawList& list = *ImGui::GetWindowDrawList();
+            const float top = std::round((low.y + high.y - ImGui::GetFontSize()) / 2);
+            list.AddText({low.x + look.px(8), top}, packed(look.text), title.c_str());
+            list.AddText(small, small->FontSize,
+                         {high.x - look.px(8) - small->CalcTextSizeA(small->FontSize, 1e9f, 0, formula.c_str()).x,
+                          top + look.px(1)},
+                         packed(look.readable(Rule::Naive)), formula.c_str());
+        }
+        ImGui::EndCombo();
+    } else {
+        tip(look, "What stands in the naive rule's place, as the vermillion arrows: another mistake that programs make.");
+    }
+    if (plain) return;
+    ImGui::PushFont(look.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, look.dim);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+    ImGui::TextUnformatted(chosen.reason.data(), chosen.reason.data() + chosen.reason.size());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
 }
 
 void view_buttons(Scene& scene, const PanelContext& context) {

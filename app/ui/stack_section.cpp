@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/scene_fields.h"
 #include "ui/numbers.h"
+#include "ui/small_matrix.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -221,6 +222,7 @@ void what_m_is(const Look& look, const Scene& scene) {
            "there the naive "
            "rule's direction is right. The larger it is, the farther off the naive rule can be.");
     ImGui::PopFont();
+    if (normals.determinant < 0.0) reflection_remark(look);
     if (normals.rank == 3) return;
     notice(look, normals.rank == 2 ? "M has no inverse: it flattens the object. The inverse transpose does not exist; "
                                      "the cofactor still gives the normal."

@@ -2,6 +2,7 @@
 #include "ui/interface.h"
 #include "ui/numbers.h"
 
+#include "core/scene_fields.h"
 #include "core/scene_json.h"
 #include "core/surface.h"
 
@@ -82,6 +83,76 @@ TEST_F(InterfaceTest, ChangesNothingByItselfAndThenRests) {
     }
 }
 
+TEST_F(InterfaceTest, TabsChangeNothingByThemselvesAndRest) {
+    for (const std::string_view tab : Interface::tabs()) {
+        ASSERT_TRUE(interface_.show_tab(tab));
+        for (const BuiltInScene& built_in : built_in_scenes()) {
+            const Scene before = scene_ = load_scene(built_in.name);
+            for (int i = 0; i < 3; ++i) step();
+            EXPECT_EQ(scene_, before) << tab << ", " << built_in.name;
+            EXPECT_TRUE(std::isinf(interface_.redraw_after())) << tab << ", " << built_in.name;
+        }
+    }
+    const int with_tab = interface_.picture({1280, 720}).size.x;
+    EXPECT_TRUE(interface_.show_tab(""));
+    EXPECT_GT(interface_.picture({1280, 720}).size.x, with_tab);
+    EXPECT_FALSE(interface_.show_tab("no such tab"));
+}
+
+// Stacks that leave nothing to invert, or nothing to show.
+TEST_F(InterfaceTest, TabsTakeAnyStack) {
+    const glm::dmat4 projective(1, 0, 0, 0, 0, 1, 0, 0.5, 0, 0, 1, 0, 0, 0, 0, 1);
+    const std::array<std::vector<StackEntry>, 7> stacks{{{},
+                                                         {Scale{{0, 0, 0}}},
+                                                         {Scale{{1, 0, 0}}, Rotate{{1, 2, 3}, 40}},
+                                                         {Scale{{-1, 2, 0.5}}},
+                                                         {Scale{{1e-8, 1, 1e8}}, Shear{.xy = 1e8}},
+                                                         {Matrix{projective}},
+                                                         std::vector<StackEntry>(kMostStackEntries, Scale{{1.1, 1, 0.9}})}};
+    for (const std::string_view tab : Interface::tabs())
+        for (const auto& stack : stacks)
+            for (const Mistake mistake : {Mistake::Naive, Mistake::WOne, Mistake::NotInverted})
+                for (const std::optional<double> position : {std::optional<double>{}, std::optional(0.0), std::optional(0.5)}) {
+                    scene_.stack = stack;
+                    scene_.mistake = mistake;
+                    scene_.stack_position = position;
+                    const Scene before = scene_;
+                    interface_.show_tab(tab);
+                    step();
+                    step();
+                    EXPECT_EQ(scene_, before) << tab << ", " << stack.size() << " entries";
+                }
+}
+
+TEST_F(InterfaceTest, PlaysTheStackOnceAndEndsWithAllOfIt) {
+    scene_.stack = {Scale{{0.5, 2, 1}}, Rotate{{0, 0, 1}, 30}};
+    const Scene before = scene_;
+    interface_.show_tab("stack");
+    ImGuiIO& io = ImGui::GetIO();
+    io.AddMousePosEvent(1280 - 460 + 16 + 15, 44 + 15);  // the play button
+    step();
+    step();
+    io.AddMouseButtonEvent(ImGuiMouseButton_Left, true);
+    step();
+    io.AddMouseButtonEvent(ImGuiMouseButton_Left, false);
+    step();
+    ASSERT_TRUE(interface_.playing());
+    double last = scene_.stack_position.value_or(-1.0);
+    int frames = 0;
+    while (interface_.playing() && ++frames < 1000) {
+        EXPECT_EQ(interface_.redraw_after(), 0.0);
+        step();
+        const double now = scene_.stack_position.value_or(2.0);
+        EXPECT_GE(now, last);
+        EXPECT_LT(now - last, 0.05);
+        last = now;
+    }
+    EXPECT_NEAR(frames / 60.0, 2 * 1.2, 0.1);
+    EXPECT_EQ(scene_, before);
+    for (int i = 0; i < 60; ++i) step();
+    EXPECT_TRUE(std::isinf(interface_.redraw_after()));
+}
+
 TEST_F(InterfaceTest, NotesGoAndErrorsStay) {
     interface_.show_note("Saved");
     EXPECT_EQ(interface_.redraw_after(), 0.0);
@@ -98,7 +169,9 @@ TEST_F(InterfaceTest, KeepsTheSceneValid) {
     const auto below = [&](unsigned n) { return static_cast<int>(random() % n); };
     ImGuiIO& io = ImGui::GetIO();
     const auto move = [&] {
-        io.AddMousePosEvent(static_cast<float>(below(388)), static_cast<float>(below(720)));
+        // One of the two panels.
+        const int x = below(3) > 0 ? below(388) : 1280 - below(460);
+        io.AddMousePosEvent(static_cast<float>(x), static_cast<float>(below(720)));
         step();
     };
     const auto button = [&](bool down) {
@@ -113,7 +186,8 @@ TEST_F(InterfaceTest, KeepsTheSceneValid) {
     };
     scene_.surface = ShapeSurface{.shape = Shape::Sphere, .resolution = 8};
     int changes = 0;
-    for (int i = 0; i < 600; ++i) {
+    for (int i = 0; i < 1000; ++i) {
+        if (i % 40 == 0) interface_.show_tab(Interface::tabs()[random() % Interface::tabs().size()]);
         const Scene before = scene_;
         move();
         for (int clicks = 1 + below(2); clicks > 0; --clicks) {

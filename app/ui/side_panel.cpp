@@ -1,0 +1,88 @@
+#include "ui/side_panel.h"
+
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace normalscope {
+
+namespace {
+
+// Buttons of equal width, the open tab's marked below. Where `closes`, pressing that one again closes it.
+void tab_row(const Look& look, std::span<const SideTab> tabs, SideMemory& memory, float width, bool closes) {
+    const float each = std::floor(width / static_cast<float>(std::max<std::size_t>(tabs.size(), 1)));
+    const float left = ImGui::GetCursorPosX();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+    for (std::size_t i = 0; i < tabs.size(); ++i) {
+        if (i > 0) ImGui::SameLine(left + each * static_cast<float>(i));
+        const bool open = memory.open == i;
+        ImGui::PushStyleColor(ImGuiCol_Text, open ? look.text : look.dim);
+        ImGui::PushFont(look.fonts.strong);
+        const bool pressed = ImGui::Button(tabs[i].label, {each - look.px(2), look.px(28)});
+        ImGui::PopFont();
+        ImGui::PopStyleColor();
+        const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+        list.AddLine({low.x, high.y}, high, packed(look.line));
+        if (open)
+            list.AddRectFilled({low.x + look.px(4), high.y - look.px(1)}, {high.x - look.px(4), high.y + look.px(2)},
+                               packed(look.accent), look.px(1));
+        tip(look, tabs[i].about);
+        if (!pressed) continue;
+        if (open && closes)
+            memory.open.reset();
+        else
+            memory.open = i;
+    }
+    ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+void side_buttons(const Look& look, std::span<const SideTab> tabs, SideMemory& memory) {
+    tab_row(look, tabs, memory, ImGui::GetContentRegionAvail().x + look.px(2), true);
+}
+
+void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& memory, const SideContext& context) {
+    if (!memory.open || *memory.open >= tabs.size() || !tabs[*memory.open].draw) return;
+    const Look& look = context.look;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float width = std::min(look.px(kSideWidth), screen.x);
+    ImGui::SetNextWindowPos({screen.x - width, 0});
+    ImGui::SetNextWindowSize({width, screen.y});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::Begin("##side", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar(2);
+    const ImVec2 low = ImGui::GetWindowPos();
+    ImGui::GetWindowDrawList()->AddLine(low, {low.x, low.y + screen.y}, packed(look.line));
+
+    const float close = look.px(30), margin = look.px(16);
+    ImGui::SetCursorPos({margin, look.px(8)});
+    tab_row(look, tabs, memory, width - margin - close - look.px(10), false);
+    ImGui::SameLine(width - close - look.px(8));
+    const bool closed = icon_button(look, "##close", Icon::Close, "Give the room back to the picture.");
+
+    // As in the panel at the left, the scroll bar stands in the margin.
+    const float right = margin - ImGui::GetStyle().ScrollbarSize;
+    ImGui::SetCursorPos({1, look.px(8 + 28 + 8)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(right, 0));
+    ImGui::PushID(static_cast<int>(*memory.open));  // each tab scrolls by itself
+    const bool shown = ImGui::BeginChild("##tab", {width - 1, 0}, ImGuiChildFlags_AlwaysUseWindowPadding,
+                                         ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_AlwaysVerticalScrollbar);
+    ImGui::PopStyleVar();
+    if (shown) {
+        ImGui::Indent(margin - right);
+        tabs[*memory.open].draw(scene, context);
+        ImGui::Dummy({0, look.px(8)});
+    }
+    ImGui::EndChild();
+    ImGui::PopID();
+    ImGui::End();
+    if (closed) memory.open.reset();
+}
+
+}  // namespace normalscope
