@@ -1,5 +1,6 @@
 #include "capture.h"
 
+#include "core/error.h"
 #include "core/frame.h"
 #include "core/numbers.h"
 #include "core/surface.h"
@@ -20,6 +21,12 @@ bool has_words(const Frame& frame) {
     bool any = !frame.legend.empty() || frame.error_legend;
     for (const Pane& pane : frame.panes) any = any || !pane.labels.empty();
     return any;
+}
+
+std::string unknown_tab(const std::string& tab) {
+    std::string line = "--tab " + tab + ": there is no such tab; known:";
+    for (const std::string_view known : Interface::tabs()) line += " " + std::string(known);
+    return line;
 }
 
 // Words and lines keep their share of the picture, whatever its size; the panel must stay legible in a small one.
@@ -48,6 +55,7 @@ Capture capture(const Scene& scene, const CaptureOptions& options) {
     if (options.panel) {
         gui.emplace();
         gui->interface.prepare(scene.theme, scale);
+        if (!gui->interface.show_tab(options.tab)) throw UsageError(unknown_tab(options.tab));
         rect = gui->interface.picture(options.size);
     }
     const Frame frame = make_frame(scene, surface, {.rect = rect, .pixel_scale = scale, .handles = options.panel});

@@ -13,6 +13,7 @@ struct CaptureOptions {
     int samples = 4;
     ContextChoice context = ContextChoice::Auto;
     bool panel = false;    ///< the interface too
+    std::string tab;       ///< the tab beside the picture, with the interface; empty: none
     bool numbers = false;  ///< fill Capture::numbers
 };
 

@@ -8,7 +8,8 @@ in vec3 object_normal;
 
 uniform vec3 toward_light;
 uniform vec3 eye;
-uniform float outside;     // +1 or -1: the winding that the normals take for outside; 0: arrows and marks, always closed
+uniform float outside;     // +1 or -1: the winding that the normals take for outside; 0: no side is the inside
+uniform float color_coded;  // 1: an arrow or mark, whose colour is its meaning
 uniform vec3 inside_color;
 uniform float unit_at_pixels;  // 1: make interpolated normals of unit length again, as one should
 uniform float zero_is_black;   // 1: show a normal of length zero as the NaN that it would become
@@ -51,8 +52,7 @@ void main() {
     float diffuse = dot(n, toward_light);
     // Light wraps a little around the edge, and the sky is brighter than the ground.
     float lit = 0.26 + 0.12 * n.y + 0.72 * max(0.85 * diffuse + 0.15, 0.0);
-    // An arrow's colour is its meaning: light gives it shape but must not drown it.
-    if (outside == 0.0) lit = 0.55 + 0.5 * lit;
+    if (color_coded > 0.5) lit = 0.55 + 0.5 * lit;  // light gives it shape but must not drown it
     vec3 halfway = normalize(toward_light + view);
     float shine = max(dot(n, halfway), 0.0);
     shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine;

@@ -102,6 +102,8 @@ Declared declare_capture(CLI::App& root) {
         "What draws: osmesa (software), egl (a graphics processor, or software), or auto: osmesa where it is "
         "installed, else egl");
     app.add_flag("--panel", given->command.panel, "Draw the interface too");
+    add(app, "--tab", given->command.tab, "NAME",
+        "Draw the interface, with a tab open beside the picture: derivation, stack, maps or error");
     add_settings(app, given->command.settings);
     CLI::Option& numbers =
         add(app, "--numbers", given->numbers, "OUT.json",

@@ -28,6 +28,7 @@ struct CaptureCommand {
     int samples = 4;
     ContextChoice context = ContextChoice::Auto;
     bool panel = false;
+    std::string tab;  ///< beside the picture, with the panel; empty: none
     std::vector<std::string> settings;
     std::optional<std::filesystem::path> numbers;
 };

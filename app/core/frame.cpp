@@ -74,7 +74,9 @@ void add_surfaces(Pane& pane, const Scene& scene, const Mesh& mesh, const WorldF
     object.black_where_zero = scene.mistake == Mistake::ZeroNormal && pane.rule == Rule::Naive;
     // A reflection turns the picture's winding over. The gradient's outside stays; the cofactor's turns with it.
     object.outside = matrices.determinant < 0.0 && pane.rule != Rule::Cofactor ? -1.0f : 1.0f;
-    // Flattened, front and back lie in the same place: neither is an inside to be shown.
+    // Flattened, front and back lie in the same place, and neither is an inside. Their naive normals are the same, too:
+    // turning one over would make them flicker. The cofactor's are opposite, and each belongs to its winding.
+    if (matrices.rank < 3 && pane.rule != Rule::Cofactor) object.outside = 0.0f;
     object.inside_color = matrices.rank < 3 ? colors.surface : colors.inside;
     object.by_error = scene.color == SurfaceColor::Error;
     pane.surfaces.push_back(object);

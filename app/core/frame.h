@@ -30,7 +30,8 @@ struct PixelRect {
 struct SurfaceDraw {
     glm::mat4 world_from_object{1.0f};
     std::optional<NormalMap> normals;  ///< empty: no normals, so no shading
-    /// +1 or −1: what turns the winding that the picture shows into the side that `normals` take for outside.
+    /// +1 or −1: what turns the winding that the picture shows into the side that `normals` take for outside. 0: neither
+    /// side is.
     float outside = 1.0f;
     glm::vec4 color{1.0f};         ///< alpha below 1: a ghost
     glm::vec3 inside_color{1.0f};  ///< of the back of an open surface

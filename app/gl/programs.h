@@ -42,6 +42,7 @@ struct SceneProgram : Program {
     Slot<glm::vec3> toward_light{*this, "toward_light"};
     Slot<glm::vec3> eye{*this, "eye"};
     Slot<float> outside{*this, "outside"};
+    Slot<float> color_coded{*this, "color_coded"};
     Slot<glm::vec3> inside_color{*this, "inside_color"};
     Slot<float> ghost{*this, "ghost"};
 };

@@ -47,6 +47,7 @@ void Renderer::Resources::begin(const SceneProgram& program, const Frame& frame,
     program.ghost = 0.0f;
     program.arrow_length = 0.0f;
     program.outside = 0.0f;
+    program.color_coded = 1.0f;
     program.zero_is_black = 0.0f;
 }
 
@@ -91,6 +92,7 @@ void Renderer::Resources::draw_surface(const Frame& frame, const Pane& pane, con
     set_normals(*program, draw.normals.value_or(NormalMap{.matrix = glm::dmat4(0.0)}));
     program->zero_is_black = draw.black_where_zero ? 1.0f : 0.0f;
     program->outside = draw.outside;
+    program->color_coded = 0.0f;
     program->inside_color = draw.inside_color;
     set_tint(draw.color);
     const bool ghost = draw.color.a < 1.0f;
