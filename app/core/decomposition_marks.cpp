@@ -66,7 +66,7 @@ void add_decomposition_marks(Pane& pane, const Scene& scene, const Mesh& mesh, c
     add_tube(pane.solids, arc, std::max(0.007, 1.1 * pixel), ink);
     char text[40];
     std::snprintf(text, sizeof text, "worst %.1f\u00B0", *angle_degrees(u, v));
-    add_label(pane, arc[arc.size() / 2], text, theme_colors(scene.theme).text);
+    add_label(pane, base + 1.5 * (arc[arc.size() / 2] - base), text, theme_colors(scene.theme).text);
 }
 
 }  // namespace normalscope
