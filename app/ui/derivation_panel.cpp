@@ -53,7 +53,7 @@ void DerivationPanel::lay_out(const Look& look, const Scene& scene, const Frame&
 
 void DerivationPanel::go_to(std::size_t passage) {
     current_ = std::min(passage, passages_.size() - 1);
-    scroll_ = true;
+    scroll_frames_ = 2;
 }
 
 void DerivationPanel::header(const Look& look, bool& shown) {
@@ -70,7 +70,10 @@ void DerivationPanel::header(const Look& look, bool& shown) {
         {{"t₁", "v is the probe's first tangent."}, {"t₂", "v is the probe's second tangent."}}};
     int numbers = shown_.numbers, tangent = static_cast<int>(tangent_);
     ImGui::PushItemWidth(look.px(168));
-    if (segmented(look, "##numbers", numbers, kNames)) shown_ = {numbers != 0, {}};
+    if (segmented(look, "##numbers", numbers, kNames)) {
+        shown_ = {numbers != 0, {}};
+        scroll_frames_ = 2;  // the next frame lays it out, the one after knows how high that is
+    }
     ImGui::PopItemWidth();
     ImGui::SameLine(0, look.px(10));
     ImGui::PushItemWidth(look.px(84));
@@ -194,8 +197,10 @@ void DerivationPanel::passage(const Look& look, std::size_t i) {
         list.AddRectFilled(from, end, packed(look.card), look.px(6));
         list.AddRectFilled({from.x, from.y + look.px(6)}, {from.x + look.px(3), end.y - look.px(6)},
                            packed(look.accent), look.px(1.5f));
-        if (scroll_) ImGui::SetScrollFromPosY(from.y + height / 2 - ImGui::GetWindowPos().y, 0.5f);
-        scroll_ = false;
+        const float view = ImGui::GetWindowHeight(), top = from.y - ImGui::GetWindowPos().y;
+        if (scroll_frames_ > 0)
+            height < view ? ImGui::SetScrollFromPosY(top + height / 2, 0.5f) : ImGui::SetScrollFromPosY(top, 0.0f);
+        scroll_frames_ = std::max(0, scroll_frames_ - 1);
     }
     ImVec2 at{from.x + gutter + look.px(6), from.y + pad};
     const ImFont* small = look.fonts.small;

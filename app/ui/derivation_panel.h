@@ -52,7 +52,8 @@ private:
 
     NamesOrNumbers shown_;
     std::size_t tangent_ = 0;
-    bool stepping_ = false, scroll_ = false;
+    bool stepping_ = false;
+    int scroll_frames_ = 0;  ///< for so long, scroll to the current line
     std::size_t current_ = 0;
     std::optional<Highlight> pointed_at_, pointed_at_before_, in_picture_;
 

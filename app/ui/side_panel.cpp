@@ -74,7 +74,8 @@ void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& me
     const bool shown = ImGui::BeginChild("##tab", {width - 1, 0}, ImGuiChildFlags_AlwaysUseWindowPadding,
                                          ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_AlwaysVerticalScrollbar);
     ImGui::PopStyleVar();
-    if (shown) {
+    // The row above may just have opened the tab that has a window of its own.
+    if (shown && tabs[*memory.open].draw) {
         ImGui::Indent(margin - right);
         tabs[*memory.open].draw(scene, context);
         ImGui::Dummy({0, look.px(8)});
