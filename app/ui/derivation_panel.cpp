@@ -56,12 +56,10 @@ void DerivationPanel::go_to(std::size_t passage) {
     scroll_frames_ = 2;
 }
 
-void DerivationPanel::header(const Look& look, bool& shown) {
+void DerivationPanel::header(const Look& look) {
     ImGui::PushFont(look.fonts.title);
     ImGui::TextUnformatted("Why the inverse transpose?");
     ImGui::PopFont();
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - look.px(27));
-    if (icon_button(look, "##close", Icon::Close, "Close (D)", true, 27)) shown = false;
 
     static constexpr std::array<Choice, 2> kNames{
         {{"names", "Every symbol by its name."},
@@ -253,7 +251,7 @@ void DerivationPanel::draw_notes(const Look& look) {
     ImGui::Dummy({width, height + look.px(4)});
 }
 
-void DerivationPanel::draw(const Look& look, const Scene& scene, const Frame& frame, bool& shown) {
+void DerivationPanel::draw(const Look& look, const Scene& scene, const Frame& frame, bool shown, float top) {
     pointed_at_before_ = std::exchange(pointed_at_, std::nullopt);
     if (!shown) return;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -262,8 +260,8 @@ void DerivationPanel::draw(const Look& look, const Scene& scene, const Frame& fr
 
     // The arrow keys turn the lines over; otherwise they wander from button to button as everywhere.
     const ImGuiWindowFlags no_keys = stepping_ ? ImGuiWindowFlags_NoNavInputs : 0;
-    ImGui::SetNextWindowPos({screen.x - width, 0});
-    ImGui::SetNextWindowSize({width, screen.y});
+    ImGui::SetNextWindowPos({screen.x - width, top});
+    ImGui::SetNextWindowSize({width, screen.y - top});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::Begin("##derivation", nullptr,
@@ -274,11 +272,11 @@ void DerivationPanel::draw(const Look& look, const Scene& scene, const Frame& fr
     ImGui::GetWindowDrawList()->AddLine({low.x, low.y}, {low.x, low.y + screen.y}, packed(look.line));
 
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(margin, look.px(10)));
-    const bool top =
+    const bool head =
         ImGui::BeginChild("##header", {width, 0}, ImGuiChildFlags_AlwaysUseWindowPadding | ImGuiChildFlags_AutoResizeY,
                           ImGuiWindowFlags_NavFlattened | no_keys);
     ImGui::PopStyleVar();
-    if (top) header(look, shown);
+    if (head) header(look);
     ImGui::EndChild();
     keys();
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);

@@ -18,8 +18,8 @@ inline constexpr float kDerivationWidth = 432.0f;
 /// a lecturer may uncover line after line.
 class DerivationPanel {
 public:
-    /// Does nothing unless `shown`; its close button says that it is not.
-    void draw(const Look& look, const Scene& scene, const Frame& frame, bool& shown);
+    /// Does nothing unless `shown`. `top`: what is left free above it, for the tabs.
+    void draw(const Look& look, const Scene& scene, const Frame& frame, bool shown, float top = 0.0f);
     /// The laid-out lines hold fonts: to be called when these are made anew.
     void forget_layout() { laid_out_for_.reset(); }
 
@@ -40,7 +40,7 @@ private:
     };
 
     void lay_out(const Look& look, const Scene& scene, const Frame& frame, float width);
-    void header(const Look& look, bool& shown);
+    void header(const Look& look);
     void progress(const Look& look);
     void keys();
     void go_to(std::size_t passage);

@@ -142,7 +142,8 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
                     .tabs = tabs,
                     .side = s.side,
                     .help = s.help});
-    draw_side_panel(scene, tabs, s.side, {.look = s.look, .frame = frame, .status = status});
+    draw_side_panel(scene, tabs, s.side, {.look = s.look, .frame = frame, .status = status},
+                    static_cast<float>(s.side_width(static_cast<int>(ImGui::GetIO().DisplaySize.x))));
     if (!ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive() && !s.dialog.is_open() && !ImGui::GetIO().KeyMods &&
         ImGui::IsKeyPressed(ImGuiKey_D, false))
         show_derivation(!derivation_shown());
@@ -153,9 +154,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     if (!help && !s.dialog.is_open() && !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGuiKey_Escape, false))
         s.messages.dismiss();
     if (scene.stack != before) undo_overflow(scene, before, s.messages);
-    bool derivation = derivation_shown();
-    s.derivation.draw(s.look, scene, frame, derivation);
-    if (derivation != derivation_shown()) show_derivation(derivation);
+    s.derivation.draw(s.look, scene, frame, derivation_shown(), s.look.px(kTabsHeight));
     s.letters.want(s.messages.text(), s.look.fonts.body);
     s.letters.want(status.file, s.look.fonts.body);
     s.messages.draw(s.look, frame);

@@ -44,13 +44,15 @@ void side_buttons(const Look& look, std::span<const SideTab> tabs, SideMemory& m
     tab_row(look, tabs, memory, ImGui::GetContentRegionAvail().x + look.px(2), true);
 }
 
-void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& memory, const SideContext& context) {
-    if (!memory.open || *memory.open >= tabs.size() || !tabs[*memory.open].draw) return;
+void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& memory, const SideContext& context,
+                     float width) {
+    if (!memory.open || *memory.open >= tabs.size()) return;
     const Look& look = context.look;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float width = std::min(look.px(kSideWidth), screen.x);
+    const bool only_tabs = !tabs[*memory.open].draw;
+    const float height = only_tabs ? look.px(kTabsHeight) : screen.y;
     ImGui::SetNextWindowPos({screen.x - width, 0});
-    ImGui::SetNextWindowSize({width, screen.y});
+    ImGui::SetNextWindowSize({width, height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::Begin("##side", nullptr,
@@ -58,26 +60,32 @@ void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& me
                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar(2);
     const ImVec2 low = ImGui::GetWindowPos();
-    ImGui::GetWindowDrawList()->AddLine(low, {low.x, low.y + screen.y}, packed(look.line));
+    ImGui::GetWindowDrawList()->AddLine(low, {low.x, low.y + height}, packed(look.line));
 
     const float close = look.px(30), margin = look.px(16);
     ImGui::SetCursorPos({margin, look.px(8)});
     tab_row(look, tabs, memory, width - margin - close - look.px(10), false);
     ImGui::SameLine(width - close - look.px(8));
-    const bool closed = icon_button(look, "##close", Icon::Close, "Give the room back to the picture.");
+    const bool closed = icon_button(look, "##close", Icon::Close, "Close: the picture has the room again.");
 
+    const std::size_t open = *memory.open;
+    if (only_tabs || !tabs[open].draw) {  // or it was chosen just now
+        ImGui::End();
+        if (closed) memory.open.reset();
+        return;
+    }
     // As in the panel at the left, the scroll bar stands in the margin.
     const float right = margin - ImGui::GetStyle().ScrollbarSize;
-    ImGui::SetCursorPos({1, look.px(8 + 28 + 8)});
+    ImGui::SetCursorPos({1, look.px(kTabsHeight)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(right, 0));
-    ImGui::PushID(static_cast<int>(*memory.open));  // each tab scrolls by itself
+    ImGui::PushID(static_cast<int>(open));  // each tab scrolls by itself
     const bool shown = ImGui::BeginChild("##tab", {width - 1, 0}, ImGuiChildFlags_AlwaysUseWindowPadding,
                                          ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_AlwaysVerticalScrollbar);
     ImGui::PopStyleVar();
     // The row above may just have opened the tab that has a window of its own.
     if (shown && tabs[*memory.open].draw) {
         ImGui::Indent(margin - right);
-        tabs[*memory.open].draw(scene, context);
+        tabs[open].draw(scene, context);
         ImGui::Dummy({0, look.px(8)});
     }
     ImGui::EndChild();

@@ -26,7 +26,7 @@ struct SideTab {
     std::string_view id;  ///< for Interface::show_tab
     const char* label;
     const char* about;
-    std::function<void(Scene&, const SideContext&)> draw;  ///< empty: it has a window of its own, drawn elsewhere
+    std::function<void(Scene&, const SideContext&)> draw;  ///< empty: it has a window of its own, below the tabs
 };
 
 struct SideMemory {
@@ -35,11 +35,13 @@ struct SideMemory {
 
 /// Logical pixels.
 inline constexpr float kSideWidth = 460.0f;
+inline constexpr float kTabsHeight = 44.0f;  ///< of the row of tabs above
 
 /// The tabs in one row, for the panel at the left: one press opens a tab, another gives the room back to the picture.
 void side_buttons(const Look& look, std::span<const SideTab> tabs, SideMemory& memory);
 
-/// The open tab, at the right, as high as the window.
-void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& memory, const SideContext& context);
+/// The open tab, at the right, as high as the window. `width` in physical pixels.
+void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& memory, const SideContext& context,
+                     float width);
 
 }  // namespace normalscope

@@ -116,7 +116,7 @@ TEST_F(DerivationPanelTest, ThePictureLightsUpItsSymbols) {
 TEST_F(DerivationPanelTest, UncoversLineByLine) {
     point(600, 700);
     const std::size_t all = vertices();
-    click(1200, 58);  // "step by step"
+    click(1200, 102);  // "step by step"
     std::size_t before = vertices();
     EXPECT_LT(before, all);
     for (int i = 0; i < 4; ++i) {
