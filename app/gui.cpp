@@ -3,6 +3,7 @@
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
+#include <imgui_internal.h>  // InputEventsQueue
 
 namespace normalscope {
 
@@ -39,5 +40,6 @@ void Gui::draw() const { ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 bool Gui::wants_mouse() const { return ImGui::GetIO().WantCaptureMouse; }
 bool Gui::wants_keyboard() const { return ImGui::GetIO().WantTextInput; }
 bool Gui::editing() const { return ImGui::IsAnyItemActive() || interface.playing(); }
+bool Gui::has_more_input() const { return !ImGui::GetCurrentContext()->InputEventsQueue.empty(); }
 
 }  // namespace normalscope

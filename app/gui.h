@@ -28,6 +28,8 @@ public:
     bool wants_keyboard() const;
     /// While a slider or a handle is held, or the stack is played, a change is not finished.
     bool editing() const;
+    /// Of input that comes at once, each round takes only what cannot be confused: there is more to be laid out.
+    bool has_more_input() const;
 
     Interface interface;
 

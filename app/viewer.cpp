@@ -50,7 +50,12 @@ private:
 
     void connect();
     void wait();
-    void redraw();
+    bool redraw();  ///< false where there is nothing to draw on
+    /// Until the interface knows of all input so far: whose the next press is depends on what lies under the pointer by
+    /// now, and on whether something is being typed.
+    void catch_up() {
+        while (gui_.has_more_input() && redraw()) {}
+    }
     Frame frame_now(bool handles);
     void obey(const Requests& requests);
     void begin_opening(const std::string& file);
@@ -121,6 +126,7 @@ void Viewer::connect() {
     });
     glfwSetMouseButtonCallback(w, [](GLFWwindow* window, int button, int action, int modifiers) {
         on_event(window, [&](Viewer& v) {
+            if (action == GLFW_PRESS) v.catch_up();
             ImGui_ImplGlfw_MouseButtonCallback(window, button, action, modifiers);
             if (!v.frame_) return;
             if (action == GLFW_RELEASE) v.pointer_.release(v.scene_, *v.frame_, v.window_.content_scale());
@@ -140,6 +146,7 @@ void Viewer::connect() {
     });
     glfwSetKeyCallback(w, [](GLFWwindow* window, int key, int code, int action, int modifiers) {
         on_event(window, [&](Viewer& v) {
+            if (action == GLFW_PRESS) v.catch_up();
             ImGui_ImplGlfw_KeyCallback(window, key, code, action, modifiers);
             if (action != GLFW_RELEASE) v.on_key(key, modifiers);
         });
@@ -169,7 +176,7 @@ void Viewer::on_key(int key, int modifiers) {
     const bool control = (modifiers & GLFW_MOD_CONTROL) != 0, shift = (modifiers & GLFW_MOD_SHIFT) != 0;
     if (key == GLFW_KEY_F1) return gui_.interface.toggle_help();
     if (key == GLFW_KEY_F11) return window_.toggle_full_screen();
-    if (pointer_.busy() || gui_.wants_keyboard()) return;
+    if (pointer_.busy() || gui_.wants_keyboard() || gui_.interface.dialog_shown()) return;
     history_.commit(scene_);
     if (control) {
         switch (key) {
@@ -224,9 +231,9 @@ Frame Viewer::frame_now(bool handles) {
     }
 }
 
-void Viewer::redraw() {
+bool Viewer::redraw() {
     const glm::ivec2 size = window_.framebuffer_size();
-    if (size.x < 1 || size.y < 1) return;
+    if (size.x < 1 || size.y < 1) return false;
     if (!target_ || target_->size() != size) {
         target_.reset();
         target_.emplace(size, kSamples);
@@ -259,6 +266,8 @@ void Viewer::redraw() {
 
     obey(requests);
     if (!pointer_.scrolled()) commit_if_finished();
+    if (gui_.has_more_input()) frames_wanted_ = std::max(frames_wanted_, 1);
+    return true;
 }
 
 void Viewer::obey(const Requests& requests) {

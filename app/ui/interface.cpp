@@ -194,5 +194,6 @@ bool Interface::panel_shown() const { return state_->panel_shown; }
 void Interface::ask_open(const Scene&) { state_->dialog.open(FileDialog::For::OpenAny); }
 void Interface::ask_save_scene() { state_->dialog.open(FileDialog::For::SaveScene); }
 void Interface::ask_save_picture() { state_->dialog.open(FileDialog::For::SavePicture); }
+bool Interface::dialog_shown() const { return state_->dialog.is_open(); }
 
 }  // namespace normalscope

@@ -81,6 +81,8 @@ public:
     void ask_open(const Scene&);
     void ask_save_scene();
     void ask_save_picture();
+    /// A dialog is open, or will be in the next frame: keys are for it alone.
+    bool dialog_shown() const;
 
 private:
     struct State;

@@ -1,0 +1,291 @@
+"""What the window tests share: the real window, driven by xdotool, and where its scene appears in it."""
+
+import copy
+import functools
+import itertools
+import json
+import math
+import os
+import pathlib
+import re
+import shutil
+import struct
+import subprocess
+import tempfile
+import time
+import unittest
+
+NORMALSCOPE = pathlib.Path(os.environ.get("NORMALSCOPE", "build/normalscope")).resolve()
+PATIENCE = float(os.environ.get("PATIENCE", 60))  # seconds until a test gives up; nothing takes as long but on a machine that is very busy
+
+PANEL = 388  # the panel's width
+SIZE = (760, 560)  # smaller than the program's own, so that frames take little time
+# A scene that is quickly drawn, for tests to which that makes no difference.
+LIGHT = [word for setting in ("surface.resolution=24", "view=single", "arrows.limit=12", "show.grid=false", "show.ghost=false")
+         for word in ("--set", setting)]
+MIDDLE = (PANEL + (SIZE[0] - PANEL) // 2, 540)  # of the picture's lower edge: nothing but ground
+
+
+def until(condition, what):
+    """Waits for a condition, and returns its value."""
+    end = time.monotonic() + PATIENCE
+    while not (value := condition()):
+        if time.monotonic() > end:
+            raise AssertionError(f"still waiting for {what}")
+        time.sleep(0.002)
+    return value
+
+
+def xdotool(*words):
+    done = subprocess.run(["xdotool", *map(str, words)], capture_output=True, timeout=PATIENCE, check=False, text=True)
+    if done.stderr:
+        raise AssertionError(f"{done.args}: {done.stderr}")
+    return done.stdout
+
+
+def png_size(png):
+    return struct.unpack(">II", png[16:24])
+
+
+# ---- The camera, as app/core/camera.h describes it
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+class Camera:
+    def __init__(self, scene, window=SIZE, panel=PANEL):
+        camera = scene["camera"]
+        self.left, self.size = panel, (window[0] - panel, window[1])
+        half = math.radians(15)
+        a, e = math.radians(camera["azimuth"]), math.radians(camera["elevation"])
+        self.backward = (math.sin(a) * math.cos(e), math.sin(e), math.cos(a) * math.cos(e))
+        self.right = (math.cos(a), 0, -math.sin(a))
+        self.up = (-math.sin(a) * math.sin(e), math.cos(e), -math.cos(a) * math.sin(e))
+        distance = 2.6 / math.sin(half) / camera["zoom"]
+        self.eye = [t + distance * b for t, b in zip(camera["target"], self.backward)]
+        self.pixels_per_tangent = min(self.size) / 2 / math.tan(half)
+
+    def pixel(self, point):
+        """Where a point of the world is in the window."""
+        at = [p - e for p, e in zip(point, self.eye)]
+        scale = self.pixels_per_tangent / -dot(at, self.backward)
+        return (round(self.left + self.size[0] / 2 + scale * dot(at, self.right)),
+                round(self.size[1] / 2 - scale * dot(at, self.up)))
+
+
+def changed(scene, path, value):
+    """The scene with one value changed, such as "stack.0.scale.1"."""
+    scene = copy.deepcopy(scene)
+    *way, last = (int(key) if key.isdigit() else key for key in path.split("."))
+    functools.reduce(lambda node, key: node[key], way, scene)[last] = value
+    return scene
+
+
+# ---- The window
+
+class Window:
+    """A window of the program's, its home and its working folder in `folder`."""
+
+    def __init__(self, folder, *arguments, size=SIZE):
+        self.folder, self.size = folder, size
+        config = folder / "config" / "normalscope"
+        if size:
+            config.mkdir(parents=True, exist_ok=True)
+            (config / "settings.json").write_text(json.dumps({"window_size": size}))
+        self.stderr = folder / "stderr"
+        with open(self.stderr, "wb") as stderr:
+            self.process = subprocess.Popen(
+                [NORMALSCOPE, *map(str, arguments)], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                stderr=stderr, env={**os.environ, "HOME": str(folder), "XDG_CONFIG_HOME": str(folder / "config")})
+        self.processes = [self.process.pid, *self.display_server()]
+        self.id = until(self.find, "the window").strip()
+        self.settle()
+
+    @staticmethod
+    def display_server():
+        number = re.search(r":(\d+)", os.environ.get("DISPLAY", ""))
+        try:
+            return [int(pathlib.Path(f"/tmp/.X{number[1]}-lock").read_text())]
+        except (OSError, TypeError, ValueError):
+            return []
+
+    def find(self):
+        self.check()
+        return xdotool("search", "--onlyvisible", "--pid", self.process.pid)
+
+    def check(self):
+        if self.process.poll() is not None:
+            raise AssertionError(f"the program ended with {self.process.returncode}: {self.stderr.read_text()}")
+
+    def work_done(self):
+        """How often the threads of program and display have gone to sleep so far; None while one is awake."""
+        self.check()
+        sleeps = 0
+        for process in self.processes:
+            for status in pathlib.Path(f"/proc/{process}/task").glob("*/status"):
+                try:
+                    text = status.read_text()
+                except OSError:  # the thread has just ended
+                    return None
+                if "\nState:\tS" not in text:
+                    return None
+                sleeps += int(re.search(r"\nvoluntary_ctxt_switches:\s*(\d+)", text)[1])
+        return sleeps
+
+    def settle(self):
+        """Waits until the program has answered all that was sent to it, which is when it and the display sleep."""
+        # One look is not enough: a thread looked at before may have been woken by one looked at since. But whoever ran
+        # between two looks has either not gone to sleep again, or has done so once more.
+        last = None
+        def asleep():
+            nonlocal last
+            before, last = last, self.work_done()
+            return last is not None and last == before
+        until(asleep, "the window to come to rest")
+
+    def do(self, *words):
+        """Sends what xdotool makes of these words, and waits for the answer."""
+        xdotool(*words)
+        xdotool("getmouselocation")  # whatever asks the display for something: then it has got all before that
+        self.settle()
+
+    def key(self, *keys):
+        for key in keys:
+            self.do("key", key)
+
+    def type(self, text):
+        self.do("type", "--delay", 0, "--", text)
+
+    def point(self, at):
+        self.do("mousemove", "--window", self.id, *at)
+
+    def click(self, at, button=1):
+        self.point(at)
+        self.do("click", button)
+
+    def drag(self, *way, button=1):
+        """From the first place to the last by way of the others, each of which is drawn."""
+        self.point(way[0])
+        self.do("mousedown", button)
+        for place in way[1:]:
+            self.point(place)
+        self.do("mouseup", button)
+
+    def wheel(self, steps):
+        for _ in range(abs(steps)):
+            self.do("click", 4 if steps > 0 else 5)
+
+    def open(self, file):
+        self.key("ctrl+o")
+        self.type(file)
+        self.key("Return")
+        self.settle()
+
+    def title(self):
+        return xdotool("getwindowname", self.id).strip()
+
+    def wait_for_title(self, name):
+        """Until a file has been opened: a large one is read in the background."""
+        until(lambda: self.check() or self.title().startswith(name), f"{name} in the title")
+        self.settle()
+
+    def resize(self, size):
+        self.size = size
+        self.do("windowsize", self.id, *size)
+
+    def save(self, key, name):
+        """Saves by the key that asks for a name, under the one that it proposes, and returns what has been saved."""
+        self.key(key, "Return")
+        file = self.folder / name
+        until(lambda: self.check() or file.exists(), name)
+        content = file.read_bytes()
+        file.unlink()
+        return content
+
+    def scene(self):
+        """What the program says that its scene is."""
+        return json.loads(self.save("ctrl+s", "scene.json"))
+
+    def geometry(self):
+        lines = xdotool("getwindowgeometry", "--shell", self.id)
+        values = dict(line.split("=") for line in lines.split())
+        return int(values["WIDTH"]), int(values["HEIGHT"])
+
+    def picture(self):
+        """The picture that it saves."""
+        return self.save("ctrl+p", "normalscope.png")
+
+    def cpu_seconds(self):
+        fields = pathlib.Path(f"/proc/{self.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+    def close(self):
+        """Closes it as the user does; returns what it printed and how it ended."""
+        if self.process.poll() is None:
+            xdotool("key", "ctrl+q")
+        try:
+            self.process.wait(PATIENCE)
+        except subprocess.TimeoutExpired:
+            self.kill()
+        return self.stderr.read_text(), self.process.returncode
+
+    def kill(self):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.wait()
+
+
+def leaves_a_picture(test):
+    """A test that fails leaves behind what the screen looked like, where there is a tool for that."""
+    @functools.wraps(test)
+    def wrapped(self):
+        try:
+            test(self)
+        except unittest.SkipTest:
+            raise
+        except BaseException:
+            tool = shutil.which("import")
+            if tool:
+                folder = NORMALSCOPE.parent / "window-tests"
+                folder.mkdir(exist_ok=True)
+                picture = folder / f"{self.id()}.png"
+                subprocess.run([tool, "-window", "root", picture], timeout=PATIENCE, check=False)
+                print("the screen at that time:", picture)
+            raise
+    return wrapped
+
+
+class WindowTest(unittest.TestCase):
+    """Each test has a folder of its own; its windows must come to a good end and say nothing on the way."""
+
+    def __init_subclass__(cls):
+        for name, test in list(vars(cls).items()):
+            if name.startswith("test_"):
+                setattr(cls, name, leaves_a_picture(test))
+
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="normalscope-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def window(self, *arguments, **options):
+        window = Window(self.folder, *arguments, **options)
+        self.addCleanup(window.kill)
+        self.addCleanup(self.assert_closes, window)
+        return window
+
+    def assert_closes(self, window):
+        self.assertEqual(window.close(), ("", 0))
+
+    def assert_undo(self, window, *scenes):
+        """From the last of these scenes the others are one step of undoing apart, and of doing again."""
+        for scene in reversed(scenes[:-1]):
+            window.key("ctrl+z")
+            self.assertEqual(window.scene(), scene)
+        for scene in scenes[1:]:
+            window.key("ctrl+shift+z")
+            self.assertEqual(window.scene(), scene)
+
+    def assert_near(self, actual, expected, tolerance):
+        for a, b in zip(actual, expected, strict=True):
+            self.assertAlmostEqual(a, b, delta=tolerance, msg=f"{actual} is not {expected}")

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Opening and saving, by the window's own dialog."""
+
+import json
+import pathlib
+import subprocess
+import unittest
+
+from support import LIGHT, MIDDLE, NORMALSCOPE, PANEL, SIZE, WindowTest, png_size, until
+
+TETRAHEDRON = "v 1 1 1\nv 1 -1 -1\nv -1 1 -1\nv -1 -1 1\nf 1 2 3\nf 1 4 2\nf 1 3 4\nf 2 4 3\n"
+SPOT = pathlib.Path(__file__).resolve().parents[2].parent / "shared" / "meshes" / "spot.obj"
+
+
+class FilesTest(WindowTest):
+    def file(self, name, content):
+        (self.folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
+
+    def test_a_mesh_is_opened_into_the_scene(self):
+        self.file("house.obj", TETRAHEDRON)
+        window = self.window(*LIGHT)
+        before = window.scene()
+        window.open("house.obj")
+        window.wait_for_title("house.obj")
+        after = window.scene()
+        self.assertEqual(after["surface"], {"mesh": "house.obj"})
+        self.assertEqual([after[key] for key in ("stack", "rule", "view")], [before[key] for key in ("stack", "rule", "view")])
+        self.assert_undo(window, before, after)
+
+    def test_a_large_mesh(self):
+        if not SPOT.exists():
+            self.skipTest(f"there is no {SPOT}")
+        window = self.window(*LIGHT)
+        window.open(SPOT)
+        window.wait_for_title("spot.obj")
+        scene = window.scene()
+        self.assertEqual((self.folder / scene["surface"]["mesh"]).resolve(), SPOT.resolve())
+        window.click((MIDDLE[0], SIZE[1] // 2))
+        self.assertNotEqual(window.scene()["probe"], scene["probe"])
+        self.assertEqual(png_size(window.picture()), (SIZE[0] - PANEL, SIZE[1]))
+
+    def test_a_scene_is_opened(self):
+        window = self.window("shear", *LIGHT)
+        saved = window.scene()
+        self.file("saved.json", json.dumps(saved))
+        window.key("n", "r", "v")
+        self.assertNotEqual(window.scene(), saved)
+        window.open(self.folder / "saved.json")
+        window.wait_for_title("saved.json")
+        self.assertEqual(window.scene(), saved)
+
+    def test_saving_by_a_path(self):
+        (self.folder / "deep").mkdir()
+        window = self.window(*LIGHT)
+        for path, file in ((self.folder / "deep" / "one.json", "deep/one.json"), ("deep/two", "deep/two.json")):
+            window.key("ctrl+s")
+            window.type(path)
+            window.key("Return")
+            until((self.folder / file).exists, file)
+
+    def test_files_that_are_none_leave_the_scene_as_it_was(self):
+        self.file("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99\n")
+        self.file("b.stl", bytes(range(256)) * 3)
+        self.file("c.json", '{"normalscope": 1, "colour": "red"}')
+        self.file("d.json", '{"normalscope": 1, "surface": {"mesh": "none.obj"}}')
+        self.file("e", "nothing")
+        self.file("good.json", '{"normalscope": 1, "rule": "naive"}')
+        window = self.window(*LIGHT)
+        before = window.scene()
+        title = window.title()
+        for name in ("a.obj", "b.stl", "c.json", "d.json", "e"):
+            window.open(name)
+        window.open("f")  # there is none: the dialog says so, and stays
+        window.key("Escape")
+        self.assertEqual(window.scene(), before)
+        self.assertEqual(window.title(), title)
+        window.open("good.json")
+        window.wait_for_title("good.json")
+        self.assertEqual(window.scene()["rule"], "naive")
+
+    def test_nothing_is_overwritten_unasked(self):
+        self.file("old.json", "old")
+        window = self.window(*LIGHT)
+        window.key("ctrl+s")
+        window.type("old.json")
+        window.key("Return")
+        self.assertEqual((self.folder / "old.json").read_text(), "old")
+        window.key("Return")  # yes, do
+        window.wait_for_title("old.json")
+        self.assertEqual(json.loads((self.folder / "old.json").read_text())["normalscope"], 1)
+
+    def test_a_folder_that_does_not_exist(self):
+        window = self.window(*LIGHT)
+        window.key("ctrl+s")
+        window.type("none/scene.json")
+        window.key("Return", "Escape")
+        self.assertFalse((self.folder / "none").exists())
+
+    def test_the_picture_is_what_capture_makes(self):
+        size = (1280, 720)  # for which words are as large in a capture as in a window
+        window = self.window("split", *LIGHT, "--set", "theme=dark", size=size)
+        window.key("Tab")
+        picture = window.picture()
+        self.assertEqual(png_size(picture), size)
+        self.file("saved.png", picture)
+        self.file("scene.json", json.dumps(window.scene()))
+        for command in ("capture scene.json -o captured.png --size 1280x720",
+                        "compare saved.png captured.png --tolerance 3 --share 0.001"):
+            done = subprocess.run([NORMALSCOPE, *command.split()], cwd=self.folder, check=False, capture_output=True)
+            self.assertEqual((done.returncode, done.stderr), (0, b""), done)
+
+
+if __name__ == "__main__":
+    unittest.main()
