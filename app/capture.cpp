@@ -73,8 +73,10 @@ Capture capture(const Scene& scene, const CaptureOptions& options) {
         for (int round = 0; round < (options.panel ? 3 : 1); ++round)
             gui->layout(options.size, scene.theme, scale, [&] {
                 Scene unchanged = scene;
-                if (options.panel) gui->interface.draw(unchanged, frame, status);
-                else gui->interface.draw_words(frame);
+                if (options.panel)
+                    gui->interface.draw(unchanged, frame, status);
+                else
+                    gui->interface.draw_words(frame);
             });
         gui->draw();
     }

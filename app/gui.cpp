@@ -25,8 +25,10 @@ void Gui::layout(glm::ivec2 framebuffer, Theme theme, float scale, const std::fu
     // The backend's NewFrame uploads a new font atlas only where it makes everything anew.
     if (interface.prepare(theme, scale)) ImGui_ImplOpenGL3_DestroyDeviceObjects();
     ImGui_ImplOpenGL3_NewFrame();
-    if (has_window_) ImGui_ImplGlfw_NewFrame();
-    else io.DeltaTime = 1.0f / 60.0f;
+    if (has_window_)
+        ImGui_ImplGlfw_NewFrame();
+    else
+        io.DeltaTime = 1.0f / 60.0f;
     // The interface counts in framebuffer pixels, as the picture does, so that text is sharp on every screen.
     io.DisplaySize = ImVec2(static_cast<float>(framebuffer.x), static_cast<float>(framebuffer.y));
     io.DisplayFramebufferScale = ImVec2(1.0f, 1.0f);

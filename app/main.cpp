@@ -42,14 +42,19 @@ int run(const ScenesCommand&) {
 }
 
 int run(const ViewCommand& command) {
-    run_viewer(scene_for(command.file.value_or(std::string(kDefaultScene)), command.settings), command.file.value_or(""));
+    run_viewer(scene_for(command.file.value_or(std::string(kDefaultScene)), command.settings),
+               command.file.value_or(""));
     return 0;
 }
 
 int run(const CaptureCommand& command) {
-    const Capture result = capture(scene_for(command.file, command.settings),
-                                   {.size = command.size, .samples = command.samples, .context = command.context,
-                                    .panel = command.panel || !command.tab.empty(), .tab = command.tab, .numbers = command.numbers.has_value()});
+    const Capture result =
+        capture(scene_for(command.file, command.settings), {.size = command.size,
+                                                            .samples = command.samples,
+                                                            .context = command.context,
+                                                            .panel = command.panel || !command.tab.empty(),
+                                                            .tab = command.tab,
+                                                            .numbers = command.numbers.has_value()});
     write_png(command.output, result.image);
     if (command.numbers) write_file(*command.numbers, result.numbers);
     return 0;

@@ -9,9 +9,9 @@ namespace normalscope {
 
 namespace {
 
-constexpr double kKnobReach = 11.0;   // logical pixels
+constexpr double kKnobReach = 11.0;  // logical pixels
 constexpr double kArrowReach = 5.0;
-constexpr double kClickSlack = 4.0;   // a hand is not that still
+constexpr double kClickSlack = 4.0;  // a hand is not that still
 constexpr double kDegreesPerPixel = 0.4;
 
 double wrapped(double degrees) { return std::remainder(degrees, 360.0); }
@@ -30,7 +30,8 @@ void Pointer::press(const Scene& scene, const Frame& frame, PointerButton button
 
     const glm::dvec2 in_pane = at_ - glm::dvec2(pane->rect.origin);
     if (scene.show.axes)
-        if (const auto handle = handle_at(axis_handles(scene, frame.surface->extent), pane->view, in_pane, kKnobReach * scale)) {
+        if (const auto handle =
+                handle_at(axis_handles(scene, frame.surface->extent), pane->view, in_pane, kKnobReach * scale)) {
             drag_ = Drag::Handle;
             handle_ = handle;
             uniform_ = button.shift;
@@ -48,7 +49,8 @@ void Pointer::move(Scene& scene, const Frame& frame, glm::dvec2 pixel, float sca
     if (drag_ == Drag::None) {
         hot_axis_.reset();
         if (const Pane* pane = pane_at(frame, at_); pane && scene.show.axes)
-            if (const auto handle = handle_at(axis_handles(scene, frame.surface->extent), pane->view, at_ - glm::dvec2(pane->rect.origin), kKnobReach * scale))
+            if (const auto handle = handle_at(axis_handles(scene, frame.surface->extent), pane->view,
+                                              at_ - glm::dvec2(pane->rect.origin), kKnobReach * scale))
                 hot_axis_ = handle->axis;
         return;
     }
@@ -66,7 +68,8 @@ void Pointer::move(Scene& scene, const Frame& frame, glm::dvec2 pixel, float sca
             break;
         case Drag::Pan: {
             const double unit = pane->view.world_per_pixel(camera.target) * scale;
-            camera.target = camera.target + (-whole_step.x * unit) * pane->view.right() + (whole_step.y * unit) * pane->view.up();
+            camera.target =
+                camera.target + (-whole_step.x * unit) * pane->view.right() + (whole_step.y * unit) * pane->view.up();
             camera.target.xyz = glm::clamp(camera.target.xyz, glm::dvec3(-1e6), glm::dvec3(1e6));
             break;
         }
@@ -84,7 +87,8 @@ void Pointer::move(Scene& scene, const Frame& frame, glm::dvec2 pixel, float sca
 
 void Pointer::release(Scene& scene, const Frame& frame, float scale) {
     if (drag_ == Drag::Orbit && !moved_) {
-        if (const auto point = picked_point(frame, world_from_object(scene), at_, kArrowReach * scale)) scene.probe = point;
+        if (const auto point = picked_point(frame, world_from_object(scene), at_, kArrowReach * scale))
+            scene.probe = point;
     }
     drag_ = Drag::None;
     handle_.reset();

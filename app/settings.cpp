@@ -21,14 +21,16 @@ std::optional<std::filesystem::path> settings_file() {
         const char* value = std::getenv(variable);
         return std::filesystem::path(value ? value : "");
     };
-    if (const auto config = from("XDG_CONFIG_HOME"); config.is_absolute()) return config / "normalscope" / "settings.json";
+    if (const auto config = from("XDG_CONFIG_HOME"); config.is_absolute())
+        return config / "normalscope" / "settings.json";
     if (const auto home = from("HOME"); home.is_absolute()) return home / ".config" / "normalscope" / "settings.json";
     return std::nullopt;
 }
 
 std::optional<glm::ivec2> pair(const Json& json, const char* key) {
     const auto it = json.find(key);
-    if (it == json.end() || !it->is_array() || it->size() != 2 || !(*it)[0].is_number_integer() || !(*it)[1].is_number_integer())
+    if (it == json.end() || !it->is_array() || it->size() != 2 || !(*it)[0].is_number_integer() ||
+        !(*it)[1].is_number_integer())
         return std::nullopt;
     return glm::ivec2(std::clamp((*it)[0].get<int>(), -30000, 30000), std::clamp((*it)[1].get<int>(), -30000, 30000));
 }
@@ -41,7 +43,8 @@ Settings load_settings() {
     if (!file) return settings;
     try {
         const Json json = Json::parse(read_file(*file, 1 << 16));
-        if (const auto size = pair(json, "window_size"); size && size->x >= 480 && size->y >= 320) settings.place.size = *size;
+        if (const auto size = pair(json, "window_size"); size && size->x >= 480 && size->y >= 320)
+            settings.place.size = *size;
         settings.place.position = pair(json, "window_position");
     } catch (const std::exception&) {
         return Settings{};

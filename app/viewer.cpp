@@ -54,7 +54,8 @@ private:
     /// Until the interface knows of all input so far: whose the next press is depends on what lies under the pointer by
     /// now, and on whether something is being typed.
     void catch_up() {
-        while (gui_.has_more_input() && redraw()) {}
+        while (gui_.has_more_input() && redraw()) {
+        }
     }
     Frame frame_now(bool handles);
     void obey(const Requests& requests);
@@ -106,7 +107,8 @@ Viewer::Viewer(Scene scene, const std::string& file) : scene_(std::move(scene)),
 }
 
 void Viewer::set_title() {
-    const std::string title = (file_.empty() ? "" : std::filesystem::path(file_).filename().string() + " \u2013 ") + "Normalscope";
+    const std::string title =
+        (file_.empty() ? "" : std::filesystem::path(file_).filename().string() + " \u2013 ") + "Normalscope";
     glfwSetWindowTitle(window_.handle(), title.c_str());
 }
 
@@ -121,7 +123,8 @@ void Viewer::connect() {
             if (!v.frame_) return;
             v.pointer_.move(v.scene_, *v.frame_, at, v.window_.content_scale());
             const bool free = !v.pointer_.busy() && !v.gui_.wants_mouse() && v.gui_.interface.derivation_shown();
-            v.gui_.interface.highlight(free ? highlight_at(*v.frame_, at, 7.0 * v.window_.content_scale()) : std::nullopt);
+            v.gui_.interface.highlight(free ? highlight_at(*v.frame_, at, 7.0 * v.window_.content_scale())
+                                            : std::nullopt);
         });
     });
     glfwSetMouseButtonCallback(w, [](GLFWwindow* window, int button, int action, int modifiers) {
@@ -129,7 +132,8 @@ void Viewer::connect() {
             if (action == GLFW_PRESS) v.catch_up();
             ImGui_ImplGlfw_MouseButtonCallback(window, button, action, modifiers);
             if (!v.frame_) return;
-            if (action == GLFW_RELEASE) v.pointer_.release(v.scene_, *v.frame_, v.window_.content_scale());
+            if (action == GLFW_RELEASE)
+                v.pointer_.release(v.scene_, *v.frame_, v.window_.content_scale());
             else if (!v.gui_.wants_mouse()) {
                 v.history_.commit(v.scene_);
                 v.pointer_.press(v.scene_, *v.frame_,
@@ -196,7 +200,9 @@ void Viewer::on_key(int key, int modifiers) {
         case GLFW_KEY_I: scene_.rule = Rule::InverseTranspose; break;
         case GLFW_KEY_C: scene_.rule = Rule::Cofactor; break;
         case GLFW_KEY_V: scene_.view = static_cast<ViewMode>((static_cast<int>(scene_.view) + 1) % 3); break;
-        case GLFW_KEY_E: scene_.color = scene_.color == SurfaceColor::Lit ? SurfaceColor::Error : SurfaceColor::Lit; break;
+        case GLFW_KEY_E:
+            scene_.color = scene_.color == SurfaceColor::Lit ? SurfaceColor::Error : SurfaceColor::Lit;
+            break;
         case GLFW_KEY_G: scene_.show.ghost = !scene_.show.ghost; break;
         case GLFW_KEY_T: scene_.theme = scene_.theme == Theme::Light ? Theme::Dark : Theme::Light; break;
         case GLFW_KEY_R: scene_.stack = {Scale{}}; break;
@@ -219,8 +225,11 @@ Frame Viewer::frame_now(bool handles) {
     std::shared_ptr<const Surface> surface;
     const auto make = [&] {
         return make_frame(scene_, surfaces_->get(scene_),
-                          {.rect = gui_.interface.picture(window_.framebuffer_size()), .pixel_scale = window_.content_scale(),
-                           .hot_axis = pointer_.hot_axis(), .highlight = gui_.interface.highlighted(), .handles = handles});
+                          {.rect = gui_.interface.picture(window_.framebuffer_size()),
+                           .pixel_scale = window_.content_scale(),
+                           .hot_axis = pointer_.hot_axis(),
+                           .highlight = gui_.interface.highlighted(),
+                           .handles = handles});
     };
     try {
         return make();
@@ -296,7 +305,8 @@ void Viewer::begin_opening(const std::string& file) {
     if (opening_.valid()) return gui_.interface.show_note("Still reading a file");
     // In another thread: the window stays alive while a large mesh is read. A mesh changes the surface and no more.
     opening_ = std::async(std::launch::async, [file, scene = scene_] {
-        Opened opened{file, is_mesh_file(file) ? with_mesh(scene, file) : load_scene(file), std::make_unique<SurfaceCache>()};
+        Opened opened{file, is_mesh_file(file) ? with_mesh(scene, file) : load_scene(file),
+                      std::make_unique<SurfaceCache>()};
         (void)opened.surfaces->get(opened.scene);
         return opened;
     });
@@ -336,11 +346,13 @@ void Viewer::save_picture(const std::filesystem::path& file) {
 void Viewer::wait() {
     double seconds = gui_.interface.redraw_after();
     if (opening_.valid()) seconds = std::min(seconds, 0.05);
-    if (frames_wanted_ > 0) glfwPollEvents();
+    if (frames_wanted_ > 0)
+        glfwPollEvents();
     else if (std::isfinite(seconds)) {
         glfwWaitEventsTimeout(std::max(seconds, 0.001));
         frames_wanted_ = std::max(frames_wanted_, 1);
-    } else glfwWaitEvents();
+    } else
+        glfwWaitEvents();
 }
 
 void Viewer::run() {

@@ -32,7 +32,8 @@ std::vector<AxisHandle> axis_handles(const Scene& scene, const glm::dvec3& exten
     return handles;
 }
 
-std::optional<AxisHandle> handle_at(const std::vector<AxisHandle>& handles, const CameraView& view, glm::dvec2 pixel, double reach) {
+std::optional<AxisHandle> handle_at(const std::vector<AxisHandle>& handles, const CameraView& view, glm::dvec2 pixel,
+                                    double reach) {
     std::optional<AxisHandle> found;
     double nearest_depth = 0.0;
     for (const AxisHandle& handle : handles) {
@@ -64,9 +65,12 @@ Scene stretched(const Scene& scene, const AxisHandle& handle, double factor, boo
     // Hundredths: what one drags to should be a number one can say.
     const double rounded = std::clamp(std::round(100.0 * factor) / 100.0, -100.0, 100.0) + 0.0;
     const double before = factors[handle.axis];
-    if (uniform && before != 0.0) factors *= rounded / before;
-    else if (uniform) factors = glm::dvec3(rounded);
-    else factors[handle.axis] = rounded;
+    if (uniform && before != 0.0)
+        factors *= rounded / before;
+    else if (uniform)
+        factors = glm::dvec3(rounded);
+    else
+        factors[handle.axis] = rounded;
     return result;
 }
 

@@ -11,10 +11,10 @@ namespace normalscope {
 /// One of the object's axes, by whose end the object is stretched. It belongs to the stack's first scale, or to one
 /// that a drag puts at the stack's beginning.
 struct AxisHandle {
-    int axis = 0;          ///< 0, 1, 2 for x, y, z
+    int axis = 0;  ///< 0, 1, 2 for x, y, z
     Point<World> origin;
-    Vector<World> unit;    ///< where the knob would be, from the origin, at factor 1
-    double factor = 1.0;   ///< the scale's factor now
+    Vector<World> unit;   ///< where the knob would be, from the origin, at factor 1
+    double factor = 1.0;  ///< the scale's factor now
     Point<World> knob() const { return origin + factor * unit; }
 };
 
@@ -23,7 +23,8 @@ struct AxisHandle {
 std::vector<AxisHandle> axis_handles(const Scene& scene, const glm::dvec3& extent);
 
 /// The handle whose knob lies within `reach` pixels; the nearest to the eye of several.
-std::optional<AxisHandle> handle_at(const std::vector<AxisHandle>& handles, const CameraView& view, glm::dvec2 pixel, double reach);
+std::optional<AxisHandle> handle_at(const std::vector<AxisHandle>& handles, const CameraView& view, glm::dvec2 pixel,
+                                    double reach);
 
 /// The factor that brings the knob nearest to the pixel's ray; empty where the axis points at the eye.
 std::optional<double> factor_at(const AxisHandle& handle, const CameraView& view, glm::dvec2 pixel);

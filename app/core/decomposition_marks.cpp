@@ -19,7 +19,8 @@ std::size_t nearest_normal(const Mesh& mesh, const WorstNormal& worst) {
     std::size_t best = 0;
     double best_cosine = -2.0;
     for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-        const double cosine = std::max(glm::dot(mesh.normals[i], worst.object[0].xyz), glm::dot(mesh.normals[i], worst.object[1].xyz));
+        const double cosine =
+            std::max(glm::dot(mesh.normals[i], worst.object[0].xyz), glm::dot(mesh.normals[i], worst.object[1].xyz));
         if (cosine > best_cosine) best_cosine = cosine, best = i;
     }
     return best;
@@ -27,13 +28,14 @@ std::size_t nearest_normal(const Mesh& mesh, const WorstNormal& worst) {
 
 void add_label(Pane& pane, const glm::dvec3& at, const char* text, const glm::vec3& color) {
     const glm::dvec3 pixel = pane.view.pixel({at});
-    if (pixel.z > 0.0) pane.labels.push_back({Label::Role::Axis, glm::vec2(pane.rect.origin) + glm::vec2(pixel), text, color});
+    if (pixel.z > 0.0)
+        pane.labels.push_back({Label::Role::Axis, glm::vec2(pane.rect.origin) + glm::vec2(pixel), text, color});
 }
 
 }  // namespace
 
-void add_decomposition_marks(Pane& pane, const Scene& scene, const Mesh& mesh, const Transform<World, Object>& worldFromObject,
-                             const FrameOptions& options) {
+void add_decomposition_marks(Pane& pane, const Scene& scene, const Mesh& mesh,
+                             const Transform<World, Object>& worldFromObject, const FrameOptions& options) {
     const NormalMatrices& matrices = worldFromObject.normal_matrices_by_rule();
     const Decomposition parts = decomposition(matrices.naive, matrices.rank);
     const glm::dvec3 origin = worldFromObject(Point<Object>{}).xyz;
@@ -59,7 +61,8 @@ void add_decomposition_marks(Pane& pane, const Scene& scene, const Mesh& mesh, c
     if (!right || !angle_degrees(naive.xyz, right->xyz)) return;
     const glm::dvec3 base = worldFromObject(Point<Object>{mesh.positions[vertex]}).xyz;
     const glm::dvec3 u = glm::normalize(naive.xyz), v = glm::normalize(right->xyz);
-    const double length = std::max(4.6 * scene.arrows.length, 70.0 * pixel), radius = std::max(0.022 * length, 1.7 * pixel);
+    const double length = std::max(4.6 * scene.arrows.length, 70.0 * pixel),
+                 radius = std::max(0.022 * length, 1.7 * pixel);
     add_arrow(pane.solids, base, length * u, radius, glm::vec4(kNaiveColor, 1.0f));
     add_arrow(pane.solids, base, length * v, radius, glm::vec4(kInverseTransposeColor, 1.0f));
     const std::vector<glm::dvec3> arc = arc_between(base, u, v, 0.6 * length);

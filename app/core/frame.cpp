@@ -56,7 +56,8 @@ std::vector<Pane> empty_panes(const Scene& scene, const PixelRect& rect) {
     std::vector<Pane> panes;
     for (const Rule rule : {Rule::Naive, right}) {
         const PixelRect& half = halves[panes.size()];
-        panes.push_back(Pane{half, rule, CameraView(scene.camera, glm::max(half.size, glm::ivec2(1))), {}, {}, {}, {}, {}, {}});
+        panes.push_back(
+            Pane{half, rule, CameraView(scene.camera, glm::max(half.size, glm::ivec2(1))), {}, {}, {}, {}, {}, {}});
     }
     return panes;
 }
@@ -68,8 +69,10 @@ void add_surfaces(Pane& pane, const Scene& scene, const Mesh& mesh, const WorldF
     object.world_from_object = drawable(m.matrix());
     object.color = glm::vec4(colors.surface, 1.0f);
     if (const auto map = normal_map(scene, m, pane.rule)) object.normals = scaled_for_floats(*map);
-    if (scene.cull) object.cull = SurfaceDraw::Cull::PictureBacks;
-    else if (mesh.closed && matrices.rank == 3) object.cull = SurfaceDraw::Cull::Inside;
+    if (scene.cull)
+        object.cull = SurfaceDraw::Cull::PictureBacks;
+    else if (mesh.closed && matrices.rank == 3)
+        object.cull = SurfaceDraw::Cull::Inside;
     object.mirrored = matrices.determinant < 0.0;
     object.black_where_zero = scene.mistake == Mistake::ZeroNormal && pane.rule == Rule::Naive;
     // A reflection turns the picture's winding over. The gradient's outside stays; the cofactor's turns with it.
@@ -111,8 +114,11 @@ void add_axes(Pane& pane, const Scene& scene, const glm::dvec3& extent, const Fr
         const glm::dvec3 knob = handle.knob().xyz;
         add_tube(pane.solids, std::array{handle.origin.xyz, knob}, thickness, glm::vec4(color, 1.0f));
         const double half = (hot ? 8.5 : 6.5) * options.pixel_scale * pane.view.world_per_pixel(handle.knob());
-        if (options.handles) add_cube(pane.solids, knob, handle.unit.xyz, half, glm::vec4(hot ? glm::mix(color, glm::vec3(1.0f), 0.35f) : color, 1.0f));
-        const glm::dvec3 at = pane.view.pixel({knob + 2.6 * half * glm::normalize(handle.unit.xyz) * (handle.factor < 0.0 ? -1.0 : 1.0)});
+        if (options.handles)
+            add_cube(pane.solids, knob, handle.unit.xyz, half,
+                     glm::vec4(hot ? glm::mix(color, glm::vec3(1.0f), 0.35f) : color, 1.0f));
+        const glm::dvec3 at =
+            pane.view.pixel({knob + 2.6 * half * glm::normalize(handle.unit.xyz) * (handle.factor < 0.0 ? -1.0 : 1.0)});
         if (at.z > 0.0)
             pane.labels.push_back({Label::Role::Axis, glm::vec2(pane.rect.origin) + glm::vec2(at),
                                    std::string(1, "xyz"[handle.axis]), color});
@@ -156,8 +162,10 @@ void add_legend(Frame& frame, const Scene& scene, const NormalMatrices& matrices
             const std::array<std::string_view, 3> titles{mistake.title, "inverse transpose", "cofactor"};
             text = std::string(titles[static_cast<std::size_t>(rule)]) + "  " +
                    std::string(rule == Rule::Naive ? mistake.formula : formula(rule));
-            if (!matrices.by(rule)) text += "  does not exist";
-            else if (rule == Rule::Cofactor && matrices.rank < 2) text += "  is zero";
+            if (!matrices.by(rule))
+                text += "  does not exist";
+            else if (rule == Rule::Cofactor && matrices.rank < 2)
+                text += "  is zero";
         }
         frame.legend.push_back({kind, text, arrow_color(kind, scene.theme)});
     }
@@ -180,7 +188,8 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     frame.theme = scene.theme;
     frame.surface = std::move(surface);
     frame.toward_light = toward(scene.light);
-    if (const auto wrong = normal_map(scene, m, Rule::Naive), right = normal_map(scene, m, Rule::InverseTranspose); wrong && right)
+    if (const auto wrong = normal_map(scene, m, Rule::Naive), right = normal_map(scene, m, Rule::InverseTranspose);
+        wrong && right)
         frame.error_maps = {scaled_for_floats(*wrong), scaled_for_floats(*right)};
     // At rest on the object, the ghost would only flicker.
     const bool ghost = scene.show.ghost && scene.view == ViewMode::Overlay && m.matrix() != glm::dmat4(1.0);
@@ -189,8 +198,11 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     frame.panes = empty_panes(scene, options.rect);
 
     std::optional<Probe> probe;
-    if (scene.probe) probe = nearest_probe(frame.surface->mesh, *scene.probe);
-    else probe = probe_in_view(frame.surface->mesh, m, frame.panes.front().view, 0.5 * glm::dvec2(frame.panes.front().rect.size));
+    if (scene.probe)
+        probe = nearest_probe(frame.surface->mesh, *scene.probe);
+    else
+        probe = probe_in_view(frame.surface->mesh, m, frame.panes.front().view,
+                              0.5 * glm::dvec2(frame.panes.front().rect.size));
     if (probe) frame.probe = in_world(*probe, m, scene);
 
     for (Pane& pane : frame.panes) {
@@ -202,11 +214,14 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         if (scene.view == ViewMode::Split) {
             const MistakeText mistake = normalscope::text(scene.mistake);
             const bool other = scene.mistake != Mistake::Naive;
-            const std::array<std::string_view, 3> titles{other ? mistake.title : "Naive", "Inverse transpose", "Cofactor"};
-            pane.labels.push_back({Label::Role::Title, glm::vec2(pane.rect.origin) + glm::vec2(0.5f * static_cast<float>(pane.rect.size.x), 0.0f),
-                                   std::string(titles[static_cast<std::size_t>(pane.rule)]) + "   " +
-                                       std::string(pane.rule == Rule::Naive ? mistake.formula : formula(pane.rule)),
-                                   rule_color(pane.rule)});
+            const std::array<std::string_view, 3> titles{other ? mistake.title : "Naive", "Inverse transpose",
+                                                         "Cofactor"};
+            pane.labels.push_back(
+                {Label::Role::Title,
+                 glm::vec2(pane.rect.origin) + glm::vec2(0.5f * static_cast<float>(pane.rect.size.x), 0.0f),
+                 std::string(titles[static_cast<std::size_t>(pane.rule)]) + "   " +
+                     std::string(pane.rule == Rule::Naive ? mistake.formula : formula(pane.rule)),
+                 rule_color(pane.rule)});
         }
     }
     if (scene.show.legend) add_legend(frame, scene, matrices);

@@ -38,9 +38,9 @@ struct SurfaceDraw {
     /// Which triangles are left out: those whose winding in the picture is a back's, or those that truly show the inside,
     /// where nobody can see them.
     enum class Cull { None, PictureBacks, Inside } cull = Cull::None;
-    bool mirrored = false;         ///< M reflects: what was counterclockwise is clockwise in the picture
-    bool black_where_zero = false; ///< as NaN would look, where a normal comes out zero
-    bool by_error = false;         ///< coloured by the naive rule's error instead
+    bool mirrored = false;          ///< M reflects: what was counterclockwise is clockwise in the picture
+    bool black_where_zero = false;  ///< as NaN would look, where a normal comes out zero
+    bool by_error = false;          ///< coloured by the naive rule's error instead
 };
 
 /// The surface's arrows drawn once: bases by one matrix, directions by another, length and radius in world units.
@@ -102,8 +102,8 @@ struct Frame {
     glm::vec3 toward_light{0.0f, 1.0f, 0.0f};
     /// The naive rule's map and the true one, for the error map; empty where either does not exist.
     std::optional<std::array<NormalMap, 2>> error_maps;
-    std::optional<float> ground_height;          ///< of the grid; empty: no grid
-    glm::mat3 shadow_from_ground{0.0f};          ///< (x, z, 1) to a disc that is 1 where the object's shadow ends
+    std::optional<float> ground_height;  ///< of the grid; empty: no grid
+    glm::mat3 shadow_from_ground{0.0f};  ///< (x, z, 1) to a disc that is 1 where the object's shadow ends
     std::vector<LegendEntry> legend;
     bool error_legend = false;
     std::optional<ProbeInWorld> probe;
@@ -111,10 +111,10 @@ struct Frame {
 
 struct FrameOptions {
     PixelRect rect;
-    float pixel_scale = 1.0f;           ///< physical pixels per logical one
-    std::optional<int> hot_axis{};      ///< the axis handle under the pointer
+    float pixel_scale = 1.0f;              ///< physical pixels per logical one
+    std::optional<int> hot_axis{};         ///< the axis handle under the pointer
     std::optional<Highlight> highlight{};  ///< what is pointed at in the equations
-    bool handles = true;                ///< knobs on the axes, to be dragged
+    bool handles = true;                   ///< knobs on the axes, to be dragged
 };
 
 /// What the scene looks like at a given size. `surface` is the scene's (SurfaceCache). Throws InputError as

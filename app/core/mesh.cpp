@@ -83,7 +83,9 @@ std::vector<glm::dvec3> area_weighted_normals(const std::vector<glm::dvec3>& pos
 std::vector<Site> face_sites(const Mesh& mesh) {
     std::vector<Site> sites;
     sites.reserve(mesh.face_count());
-    const auto face_of = [&](std::size_t i) { return mesh.face_of_triangle.empty() ? i : std::size_t{mesh.face_of_triangle[i]}; };
+    const auto face_of = [&](std::size_t i) {
+        return mesh.face_of_triangle.empty() ? i : std::size_t{mesh.face_of_triangle[i]};
+    };
     for (std::size_t i = 0; i < mesh.triangles.size();) {
         glm::dvec3 weighted_centre(0.0), normal(0.0);
         double area = 0.0;

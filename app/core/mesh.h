@@ -18,8 +18,8 @@ enum class NormalSource { Exact, File, Computed };
 /// Vertices come coarse to fine where the maker can arrange it, so that thinning in order gives a regular pattern.
 struct Mesh {
     std::vector<glm::dvec3> positions;
-    std::vector<glm::dvec3> normals;      ///< one a position, of unit length; zero where there is none
-    std::vector<glm::uvec3> triangles;    ///< indices into positions
+    std::vector<glm::dvec3> normals;    ///< one a position, of unit length; zero where there is none
+    std::vector<glm::uvec3> triangles;  ///< indices into positions
     /// The polygon that each triangle is part of, ascending; empty where every triangle is a face of its own.
     std::vector<std::uint32_t> face_of_triangle;
     bool closed = false;  ///< known to have no opening: from outside, no triangle shows its back

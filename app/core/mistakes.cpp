@@ -44,7 +44,8 @@ std::optional<NormalMap> mistaken_map(const Scene& scene, const Transform<World,
         case Mistake::ZeroNormal: return linear(matrices.naive);
         case Mistake::InversesNotReversed: return linear(inverses_not_reversed(applied_stack(scene)));
         case Mistake::NotTransposed:
-            return linear(matrices.inverse_transpose ? std::optional(glm::transpose(*matrices.inverse_transpose)) : std::nullopt);
+            return linear(matrices.inverse_transpose ? std::optional(glm::transpose(*matrices.inverse_transpose))
+                                                     : std::nullopt);
         case Mistake::NotInverted: return linear(glm::transpose(matrices.naive));
         case Mistake::WOne: return NormalMap{.matrix = m.matrix(), .w = 1.0};
         case Mistake::DivideByScaleSquared: return linear(divided_by_scale_squared(matrices.naive));
@@ -67,8 +68,10 @@ std::optional<NormalMap> mistaken_map(const Scene& scene, const Transform<World,
 std::optional<NormalMap> normal_map(const Scene& scene, const Transform<World, Object>& worldFromObject, Rule rule) {
     const NormalMatrices& matrices = worldFromObject.normal_matrices_by_rule();
     std::optional<NormalMap> map;
-    if (rule == Rule::Naive) map = mistaken_map(scene, worldFromObject);
-    else if (const auto n = matrices.by(rule); n && (rule != Rule::Cofactor || matrices.rank >= 2)) map = NormalMap{.matrix = glm::dmat4(*n)};
+    if (rule == Rule::Naive)
+        map = mistaken_map(scene, worldFromObject);
+    else if (const auto n = matrices.by(rule); n && (rule != Rule::Cofactor || matrices.rank >= 2))
+        map = NormalMap{.matrix = glm::dmat4(*n)};
     if (map && map->at_pixels && !scene.renormalise) {
         map->at_pixels = false;
         map->at_vertices = NormalMap::UnitLength::WithoutW;
@@ -79,7 +82,8 @@ std::optional<NormalMap> normal_map(const Scene& scene, const Transform<World, O
 glm::dmat3 tangent_matrix(const Scene& scene, const Transform<World, Object>& worldFromObject) {
     const NormalMatrices& matrices = worldFromObject.normal_matrices_by_rule();
     if (scene.rule == Rule::Naive) {
-        if (scene.mistake == Mistake::TangentsByInverseTranspose && matrices.inverse_transpose) return *matrices.inverse_transpose;
+        if (scene.mistake == Mistake::TangentsByInverseTranspose && matrices.inverse_transpose)
+            return *matrices.inverse_transpose;
         if (scene.mistake == Mistake::TangentsByCofactor) return matrices.cofactor;
     }
     return matrices.naive;
@@ -87,27 +91,42 @@ glm::dmat3 tangent_matrix(const Scene& scene, const Transform<World, Object>& wo
 
 MistakeText text(Mistake mistake) {
     switch (mistake) {
-        case Mistake::Naive: return {"naive", "M n", "A normal is not a vector between two points: it must keep its right angle, not its ends."};
+        case Mistake::Naive:
+            return {"naive", "M n",
+                    "A normal is not a vector between two points: it must keep its right angle, not its ends."};
         case Mistake::InversesNotReversed:
             return {"inverses not reversed", "(A⁻¹B⁻¹)ᵀ n", "(AB)⁻¹ is B⁻¹A⁻¹: inverting turns the order over."};
         case Mistake::NotTransposed: return {"not transposed", "M⁻¹ n", "The inverse alone goes back to object space."};
-        case Mistake::NotInverted: return {"not inverted", "Mᵀ n", "The transpose alone undoes rotations and keeps the scales."};
+        case Mistake::NotInverted:
+            return {"not inverted", "Mᵀ n", "The transpose alone undoes rotations and keeps the scales."};
         case Mistake::WOne:
-            return {"w = 1", "M (n, 1)", "A normal sent as a point takes the translation along: the farther the object moves, the more all normals agree."};
+            return {"w = 1", "M (n, 1)",
+                    "A normal sent as a point takes the translation along: the farther the object moves, the more all "
+                    "normals agree."};
         case Mistake::LeakingTranslation:
-            return {"translation in w", "(M⁻¹)ᵀ (n, 0)", "The 4×4 inverse transpose writes the translation into w; normalised with it, the normal is too short and the light too dim."};
+            return {"translation in w", "(M⁻¹)ᵀ (n, 0)",
+                    "The 4×4 inverse transpose writes the translation into w; normalised with it, the normal is too "
+                    "short and the light too dim."};
         case Mistake::ModelView:
-            return {"mat3(modelView)", "mat3(V M) n", "The view only rotates, so this is the naive rule in another dress: right until someone scales unevenly."};
+            return {"mat3(modelView)", "mat3(V M) n",
+                    "The view only rotates, so this is the naive rule in another dress: right until someone scales "
+                    "unevenly."};
         case Mistake::DivideByScaleSquared:
-            return {"divided by scale²", "M n / s²", "Dividing each column by its squared length inverts scales after which one only rotates. A shear breaks it."};
+            return {"divided by scale²", "M n / s²",
+                    "Dividing each column by its squared length inverts scales after which one only rotates. A shear "
+                    "breaks it."};
         case Mistake::NoRenormalisation:
-            return {"not renormalised", "(M⁻¹)ᵀ n, as long as it is", "The direction is right, the length is not: light comes out too bright or too dim."};
+            return {"not renormalised", "(M⁻¹)ᵀ n, as long as it is",
+                    "The direction is right, the length is not: light comes out too bright or too dim."};
         case Mistake::ZeroNormal:
-            return {"zero normal", "M n / |M n|", "Flattened, some normals become zero; divided by their length they become NaN, and black spots."};
+            return {"zero normal", "M n / |M n|",
+                    "Flattened, some normals become zero; divided by their length they become NaN, and black spots."};
         case Mistake::TangentsByInverseTranspose:
-            return {"tangents by (M⁻¹)ᵀ", "(M⁻¹)ᵀ v", "Tangents join points of the surface: they go by M, or they leave it."};
+            return {"tangents by (M⁻¹)ᵀ", "(M⁻¹)ᵀ v",
+                    "Tangents join points of the surface: they go by M, or they leave it."};
         case Mistake::TangentsByCofactor:
-            return {"tangents by cof(M)", "cof(M) v", "The cofactor is for surface elements, two tangents at once; one alone goes by M."};
+            return {"tangents by cof(M)", "cof(M) v",
+                    "The cofactor is for surface elements, two tangents at once; one alone goes by M."};
     }
     return {};
 }

@@ -31,12 +31,12 @@ SingularValues singular_values(const glm::dmat3& a);
 
 /// The 3×3 matrix of each rule for one M3, with the numbers that tell whether and how they differ.
 struct NormalMatrices {
-    glm::dmat3 naive{1.0};                         ///< M3
-    std::optional<glm::dmat3> inverse_transpose;   ///< (M3⁻¹)ᵀ; empty where rank < 3
-    glm::dmat3 cofactor{1.0};                      ///< cof(M3) = det(M3) (M3⁻¹)ᵀ; exists always, zero where rank < 2
-    double determinant = 1.0;                      ///< det(M3), exactly 0 where rank < 3
-    int rank = 3;                                  ///< numerical rank: singular values above 4ε σmax
-    glm::dvec3 sigma{1.0};                         ///< singular values of M3, descending; exactly 0 beyond the rank
+    glm::dmat3 naive{1.0};                        ///< M3
+    std::optional<glm::dmat3> inverse_transpose;  ///< (M3⁻¹)ᵀ; empty where rank < 3
+    glm::dmat3 cofactor{1.0};                     ///< cof(M3) = det(M3) (M3⁻¹)ᵀ; exists always, zero where rank < 2
+    double determinant = 1.0;                     ///< det(M3), exactly 0 where rank < 3
+    int rank = 3;                                 ///< numerical rank: singular values above 4ε σmax
+    glm::dvec3 sigma{1.0};                        ///< singular values of M3, descending; exactly 0 beyond the rank
     /// σmax/σmin; empty where M3 has no inverse.
     std::optional<double> condition() const;
     /// The largest angle in degrees that any normal's naive image can be off: atan k − atan 1/k with k = σmax/σmin.

@@ -21,10 +21,12 @@ inline constexpr glm::vec3 kNaiveColor = rgb(0xD55E00);
 inline constexpr glm::vec3 kInverseTransposeColor = rgb(0x009E73);
 inline constexpr glm::vec3 kCofactorColor = rgb(0xCC79A7);
 inline constexpr glm::vec3 kTangentColor = rgb(0x0072B2);
-inline constexpr std::array kAxisColors{rgb(0xD03A3A), rgb(0x3C9A3C), rgb(0x3A62D0)};  ///< x, y, z: on the axis handles only
+inline constexpr std::array kAxisColors{rgb(0xD03A3A), rgb(0x3C9A3C),
+                                        rgb(0x3A62D0)};  ///< x, y, z: on the axis handles only
 
 /// From no error to 90°: light to dark throughout, so that it reads in grey as well.
-inline constexpr std::array kErrorRamp{rgb(0xF3F0EA), rgb(0xF6D58E), rgb(0xE8863A), rgb(0xB23A2A), rgb(0x6A1034), rgb(0x2B0A2E)};
+inline constexpr std::array kErrorRamp{rgb(0xF3F0EA), rgb(0xF6D58E), rgb(0xE8863A),
+                                       rgb(0xB23A2A), rgb(0x6A1034), rgb(0x2B0A2E)};
 
 /// What a theme decides.
 struct ThemeColors {
@@ -37,10 +39,22 @@ struct ThemeColors {
 };
 constexpr ThemeColors theme_colors(Theme theme) {
     if (theme == Theme::Dark)
-        return {.background_top = rgb(0x2A2D33), .background_bottom = rgb(0x16181C), .grid = rgb(0x6A7078), .surface = rgb(0xBFC3C9),
-                .inside = rgb(0x8C8478), .ghost = rgb(0xA3A8B0), .text = rgb(0xECEEF1), .text_shadow = rgb(0x111316)};
-    return {.background_top = rgb(0xFBFBFA), .background_bottom = rgb(0xE6E7E8), .grid = rgb(0x9AA0A6), .surface = rgb(0xD9D8D4),
-            .inside = rgb(0xB3A58F), .ghost = rgb(0x80868C), .text = rgb(0x22262B), .text_shadow = rgb(0xFFFFFF)};
+        return {.background_top = rgb(0x2A2D33),
+                .background_bottom = rgb(0x16181C),
+                .grid = rgb(0x6A7078),
+                .surface = rgb(0xBFC3C9),
+                .inside = rgb(0x8C8478),
+                .ghost = rgb(0xA3A8B0),
+                .text = rgb(0xECEEF1),
+                .text_shadow = rgb(0x111316)};
+    return {.background_top = rgb(0xFBFBFA),
+            .background_bottom = rgb(0xE6E7E8),
+            .grid = rgb(0x9AA0A6),
+            .surface = rgb(0xD9D8D4),
+            .inside = rgb(0xB3A58F),
+            .ghost = rgb(0x80868C),
+            .text = rgb(0x22262B),
+            .text_shadow = rgb(0xFFFFFF)};
 }
 
 constexpr glm::vec3 arrow_color(ArrowKind kind, Theme theme) {

@@ -54,15 +54,15 @@ const Pane* pane_at(const Frame& frame, glm::dvec2 pixel) {
     return nullptr;
 }
 
-std::optional<Point<Object>> picked_point(const Frame& frame, const Transform<World, Object>& worldFromObject, glm::dvec2 pixel,
-                                          double reach) {
+std::optional<Point<Object>> picked_point(const Frame& frame, const Transform<World, Object>& worldFromObject,
+                                          glm::dvec2 pixel, double reach) {
     const Pane* pane = pane_at(frame, pixel);
     if (!pane) return std::nullopt;
     const glm::dvec2 at = pixel - glm::dvec2(pane->rect.origin);
     const ArrowHit arrow = nearest_arrow(frame, *pane, at, reach);
     const auto surface = first_hit(frame.surface->mesh, worldFromObject, pane->view.ray(at));
-    const double surface_depth = surface ? pane->view.pixel(worldFromObject(surface->probe.point)).z
-                                         : std::numeric_limits<double>::infinity();
+    const double surface_depth =
+        surface ? pane->view.pixel(worldFromObject(surface->probe.point)).z : std::numeric_limits<double>::infinity();
     if (arrow.depth <= surface_depth && arrow.depth < std::numeric_limits<double>::infinity()) return arrow.point;
     if (surface) return surface->probe.point;
     return std::nullopt;
@@ -74,7 +74,8 @@ std::optional<Highlight> highlight_at(const Frame& frame, glm::dvec2 pixel, doub
     std::optional<Highlight> found;
     double nearest = reach;
     for (const SymbolArrow& arrow : pane->symbols) {
-        if (arrow.what.symbol == Symbol::M3) continue;  // lies across the whole picture, and is drawn only when pointed at
+        if (arrow.what.symbol == Symbol::M3)
+            continue;  // lies across the whole picture, and is drawn only when pointed at
         const glm::dvec3 from = pane->view.pixel({arrow.base}), to = pane->view.pixel({arrow.base + arrow.vector});
         if (from.z <= 0.0 || to.z <= 0.0) continue;
         const double distance = to_segment(pixel - glm::dvec2(pane->rect.origin), from, to).distance;

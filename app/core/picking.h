@@ -11,8 +11,8 @@ const Pane* pane_at(const Frame& frame, glm::dvec2 pixel);
 
 /// The surface's point that a click means: the site of the arrow within `reach` pixels, or what the ray meets,
 /// whichever is nearer to the eye. `pixel` is of the framebuffer.
-std::optional<Point<Object>> picked_point(const Frame& frame, const Transform<World, Object>& worldFromObject, glm::dvec2 pixel,
-                                          double reach);
+std::optional<Point<Object>> picked_point(const Frame& frame, const Transform<World, Object>& worldFromObject,
+                                          glm::dvec2 pixel, double reach);
 
 /// What the arrow of the probe within `reach` pixels is in the equations.
 std::optional<Highlight> highlight_at(const Frame& frame, glm::dvec2 pixel, double reach);

@@ -17,7 +17,9 @@ constexpr double kLargestCoordinate = 1e30;  // its square and cube are still fa
 constexpr std::uint32_t kUnset = std::numeric_limits<std::uint32_t>::max();
 
 // "1 face", "2 faces".
-std::string counted(std::size_t n, const std::string& noun) { return std::to_string(n) + " " + noun + (n == 1 ? "" : "s"); }
+std::string counted(std::size_t n, const std::string& noun) {
+    return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
+}
 
 void check_positions(const Polygons& polygons, const std::string& file) {
     for (std::size_t i = 0; i < polygons.positions.size(); ++i) {
@@ -48,7 +50,8 @@ CornerKinds check_corners(const Polygons& polygons, const std::string& file) {
             ++face;
             if ((end += size) > corner) break;
         }
-        throw InputError(file + ": face " + std::to_string(face) + " refers to " + what + "; repair or export the mesh anew");
+        throw InputError(file + ": face " + std::to_string(face) + " refers to " + what +
+                         "; repair or export the mesh anew");
     };
     for (const Polygons::Block& block : polygons.faces)
         for (const Polygons::Corner& c : block.corners) {
@@ -186,7 +189,8 @@ void drop_unused_vertices(Mesh& mesh) {
 void normalise(std::vector<glm::dvec3>& normals) {
     for (glm::dvec3& n : normals) {
         const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
-        const bool usable = largest > 0.0 && largest <= std::numeric_limits<double>::max() && !std::isnan(n.x + n.y + n.z);
+        const bool usable =
+            largest > 0.0 && largest <= std::numeric_limits<double>::max() && !std::isnan(n.x + n.y + n.z);
         // By the largest first: the square of a tiny or huge component would under- or overflow.
         n = usable ? glm::normalize(n / largest) : glm::dvec3(0.0);
     }
@@ -203,7 +207,8 @@ Mesh mesh_of(Polygons polygons, const std::string& file) {
     std::size_t flat = 0;
     try {
         if (!kinds.any_normal || (kinds.same_index && !kinds.any_without)) {
-            flat = cut_into_triangles(polygons, mesh, [](const Polygons::Corner& c) { return static_cast<std::uint32_t>(c.position); });
+            flat = cut_into_triangles(polygons, mesh,
+                                      [](const Polygons::Corner& c) { return static_cast<std::uint32_t>(c.position); });
             mesh.positions = std::move(polygons.positions);
             if (kinds.any_normal) {
                 mesh.normals = std::move(polygons.normals);
@@ -215,21 +220,24 @@ Mesh mesh_of(Polygons polygons, const std::string& file) {
             for (std::size_t i = 0; i < merger.size(); ++i) {
                 const std::int32_t normal = merger.normal_of(i);
                 mesh.positions.push_back(polygons.positions[merger.position_of(i)]);
-                mesh.normals.push_back(normal == Polygons::kNone ? glm::dvec3(0.0) : polygons.normals[static_cast<std::size_t>(normal)]);
+                mesh.normals.push_back(normal == Polygons::kNone ? glm::dvec3(0.0)
+                                                                 : polygons.normals[static_cast<std::size_t>(normal)]);
             }
         }
     } catch (const InputError& e) {
         throw InputError(file + ": " + e.what());
     }
     if (mesh.triangles.empty())
-        throw InputError(file + ": has no faces" + (mesh.positions.empty() ? "" : ", only points or lines") + "; export it as a surface");
+        throw InputError(file + ": has no faces" + (mesh.positions.empty() ? "" : ", only points or lines") +
+                         "; export it as a surface");
 
     // The size that decides what is flat must not depend on the file's unit.
     drop_unused_vertices(mesh);
     fit_to_unit_sphere(mesh);
     const std::size_t dropped = drop_flat_triangles(mesh);
     if (mesh.triangles.empty())
-        throw InputError(file + ": all of its faces (" + std::to_string(dropped) + ") have no area; repair or export the mesh anew");
+        throw InputError(file + ": all of its faces (" + std::to_string(dropped) +
+                         ") have no area; repair or export the mesh anew");
     if (dropped > 0) {
         drop_unused_vertices(mesh);
         fit_to_unit_sphere(mesh);
@@ -248,7 +256,8 @@ Mesh mesh_of(Polygons polygons, const std::string& file) {
             if (mesh.normals[i] == glm::dvec3(0.0)) mesh.normals[i] = computed[i];
         mesh.note = short_name + " lacks " + counted(missing, "usable normal") + ": computed, area-weighted";
     }
-    if (flat > 0) mesh.note += (mesh.note.empty() ? short_name + ": " : "; ") + counted(flat, "face") + " without area left out";
+    if (flat > 0)
+        mesh.note += (mesh.note.empty() ? short_name + ": " : "; ") + counted(flat, "face") + " without area left out";
     return mesh;
 }
 

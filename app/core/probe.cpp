@@ -22,7 +22,8 @@ Probe probe_at(const Mesh& mesh, const glm::uvec3& t, const glm::dvec3& b) {
     n = glm::length(n) > 0.0 ? glm::normalize(n) : glm::dvec3(0.0, 0.0, 1.0);
     // The tangent that is level where there is one: it is easier to read than an arbitrary one.
     const glm::dvec3 level = glm::cross(glm::dvec3(0.0, 1.0, 0.0), n);
-    const glm::dvec3 t0 = glm::length(level) > 1e-6 ? glm::normalize(level) : glm::normalize(glm::cross(glm::dvec3(0.0, 0.0, 1.0), n));
+    const glm::dvec3 t0 =
+        glm::length(level) > 1e-6 ? glm::normalize(level) : glm::normalize(glm::cross(glm::dvec3(0.0, 0.0, 1.0), n));
     return {{mix(mesh.positions)}, {n}, {Vector<Object>{t0}, Vector<Object>{glm::cross(n, t0)}}};
 }
 
@@ -80,7 +81,8 @@ ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& worldF
     return result;
 }
 
-std::optional<SurfaceHit> first_hit(const Mesh& mesh, const Transform<World, Object>& worldFromObject, const Ray<World>& ray) {
+std::optional<SurfaceHit> first_hit(const Mesh& mesh, const Transform<World, Object>& worldFromObject,
+                                    const Ray<World>& ray) {
     // In world space, since M may have no inverse. Möller & Trumbore, "Fast, minimum storage ray/triangle intersection", 1997.
     std::vector<glm::dvec3> world(mesh.positions.size());
     for (std::size_t i = 0; i < world.size(); ++i) world[i] = worldFromObject(Point<Object>{mesh.positions[i]}).xyz;
@@ -132,13 +134,14 @@ std::optional<Probe> nearest_probe(const Mesh& mesh, Point<Object> p) {
     return probe_at(mesh, *triangle, barycentric);
 }
 
-std::optional<Probe> probe_in_view(const Mesh& mesh, const Transform<World, Object>& worldFromObject, const CameraView& view,
-                                   glm::dvec2 pixel) {
+std::optional<Probe> probe_in_view(const Mesh& mesh, const Transform<World, Object>& worldFromObject,
+                                   const CameraView& view, glm::dvec2 pixel) {
     if (const auto hit = first_hit(mesh, worldFromObject, view.ray(pixel))) return hit->probe;
 
     // The ray misses: nothing covers the pixel, so the nearest edge in the picture is one that the camera sees.
     std::vector<glm::dvec3> pixels(mesh.positions.size());
-    for (std::size_t i = 0; i < pixels.size(); ++i) pixels[i] = view.pixel(worldFromObject(Point<Object>{mesh.positions[i]}));
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        pixels[i] = view.pixel(worldFromObject(Point<Object>{mesh.positions[i]}));
     double nearest = std::numeric_limits<double>::infinity(), nearest_depth = 0.0;
     const glm::uvec3* triangle = nullptr;
     glm::dvec3 barycentric(0.0);
@@ -153,7 +156,8 @@ std::optional<Probe> probe_in_view(const Mesh& mesh, const Transform<World, Obje
             const double distance = glm::length(ap - s * ab);
             // Back from the picture to the edge: depth, not the parameter, is linear in 1/z.
             const double depth = 1.0 / ((1.0 - s) / a.z + s / b.z);
-            if (distance > nearest + 1e-9 || (distance > nearest - 1e-9 && depth >= nearest_depth && triangle)) continue;
+            if (distance > nearest + 1e-9 || (distance > nearest - 1e-9 && depth >= nearest_depth && triangle))
+                continue;
             nearest = distance;
             nearest_depth = depth;
             triangle = &t;

@@ -22,11 +22,11 @@ struct Probe {
 struct ProbeInWorld {
     Probe object;
     Point<World> point;
-    std::array<Vector<World>, 2> tangents;                        ///< M3 t
-    std::array<std::optional<Normal<World>>, 3> normals;          ///< in the order of kRules, not normalised
+    std::array<Vector<World>, 2> tangents;                ///< M3 t
+    std::array<std::optional<Normal<World>>, 3> normals;  ///< in the order of kRules, not normalised
     /// n·t for each rule and tangent; empty where the rule gives no normal.
     std::array<std::optional<std::array<double, 2>>, 3> dots;
-    std::optional<double> error_degrees;                          ///< between the naive and the true normal
+    std::optional<double> error_degrees;  ///< between the naive and the true normal
 };
 
 ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& worldFromObject);
@@ -39,14 +39,15 @@ struct SurfaceHit {
 };
 
 /// The first point of the surface that the ray meets, from either side.
-std::optional<SurfaceHit> first_hit(const Mesh& mesh, const Transform<World, Object>& worldFromObject, const Ray<World>& ray);
+std::optional<SurfaceHit> first_hit(const Mesh& mesh, const Transform<World, Object>& worldFromObject,
+                                    const Ray<World>& ray);
 
 /// The point of the surface that is nearest to `p`; empty only for a mesh without triangles.
 std::optional<Probe> nearest_probe(const Mesh& mesh, Point<Object> p);
 
 /// The point of the surface that the camera sees nearest the given pixel: the hit of its ray or, if that misses, the
 /// nearest point of the silhouette. Empty where nothing lies before the camera.
-std::optional<Probe> probe_in_view(const Mesh& mesh, const Transform<World, Object>& worldFromObject, const CameraView& view,
-                                   glm::dvec2 pixel);
+std::optional<Probe> probe_in_view(const Mesh& mesh, const Transform<World, Object>& worldFromObject,
+                                   const CameraView& view, glm::dvec2 pixel);
 
 }  // namespace normalscope

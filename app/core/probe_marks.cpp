@@ -35,7 +35,8 @@ void add_angle_label(Pane& pane, const std::vector<glm::dvec3>& arc, double degr
     char text[32];
     std::snprintf(text, sizeof text, "%.1f\u00B0", degrees);
     const glm::dvec3 at = pane.view.pixel({arc[arc.size() / 2]});
-    if (at.z > 0.0) pane.labels.push_back({Label::Role::Angle, glm::vec2(pane.rect.origin) + glm::vec2(at), text, color});
+    if (at.z > 0.0)
+        pane.labels.push_back({Label::Role::Angle, glm::vec2(pane.rect.origin) + glm::vec2(at), text, color});
 }
 
 bool parallel(const glm::dvec3& a, const glm::dvec3& b) { return glm::length(glm::cross(a, b)) < 1e-9; }
@@ -45,20 +46,25 @@ bool parallel(const glm::dvec3& a, const glm::dvec3& b) { return glm::length(glm
 std::vector<SymbolArrow> symbol_arrows(const ProbeInWorld& probe, const Scene& scene, double length) {
     const glm::dvec3 from = probe.object.point.xyz, to = probe.point.xyz;
     std::vector<SymbolArrow> arrows;
-    const auto add = [&](const Highlight& what, const glm::dvec3& base, const glm::dvec3& direction, double long_as, const glm::vec3& color) {
+    const auto add = [&](const Highlight& what, const glm::dvec3& base, const glm::dvec3& direction, double long_as,
+                         const glm::vec3& color) {
         if (glm::length(direction) > 0.0) arrows.push_back({what, base, long_as * glm::normalize(direction), color});
     };
-    add({.symbol = Symbol::NObject}, from, probe.object.normal.xyz, length, arrow_color(ArrowKind::Object, scene.theme));
+    add({.symbol = Symbol::NObject}, from, probe.object.normal.xyz, length,
+        arrow_color(ArrowKind::Object, scene.theme));
     for (std::size_t k = 0; k < 2; ++k) {
         add({.symbol = Symbol::VObject, .tangent = k}, from, probe.object.tangents[k].xyz, 0.6 * length, kTangentColor);
         add({.symbol = Symbol::VWorld, .tangent = k}, to, probe.tangents[k].xyz, 0.6 * length, kTangentColor);
     }
     const auto& [naive, inverse_transpose, cofactor] = probe.normals;
     if (naive) add({.symbol = Symbol::NWorld, .naive = true}, to, naive->xyz, length, kNaiveColor);
-    if (inverse_transpose) add({.symbol = Symbol::NWorld}, to, inverse_transpose->xyz, length, kInverseTransposeColor);
-    else if (cofactor) add({.symbol = Symbol::NWorld}, to, cofactor->xyz, length, kCofactorColor);
+    if (inverse_transpose)
+        add({.symbol = Symbol::NWorld}, to, inverse_transpose->xyz, length, kInverseTransposeColor);
+    else if (cofactor)
+        add({.symbol = Symbol::NWorld}, to, cofactor->xyz, length, kCofactorColor);
     // M3 takes the one object to the other.
-    if (glm::length(to - from) > 1e-6) add({.symbol = Symbol::M3}, from, to - from, glm::length(to - from), theme_colors(scene.theme).text);
+    if (glm::length(to - from) > 1e-6)
+        add({.symbol = Symbol::M3}, from, to - from, glm::length(to - from), theme_colors(scene.theme).text);
     return arrows;
 }
 
@@ -104,12 +110,14 @@ void add_probe_marks(Pane& pane, const Scene& scene, const ProbeInWorld& probe, 
         const double side = glm::dot(plane->normal, pane.view.eye().xyz - centre) < 0.0 ? -1.0 : 1.0;
         const glm::dvec3 lifted = centre + side * 0.012 * plane->normal;
         const bool pointed_at = options.highlight && options.highlight->symbol == Symbol::Zero;
-        add_patch(pane.translucent, lifted, half * plane->u, half * plane->v, pointed_at ? kGlow : glm::vec4(kTangentColor, 0.20f));
+        add_patch(pane.translucent, lifted, half * plane->u, half * plane->v,
+                  pointed_at ? kGlow : glm::vec4(kTangentColor, 0.20f));
         const std::array rim{lifted - half * plane->u - half * plane->v, lifted + half * plane->u - half * plane->v,
                              lifted + half * plane->u + half * plane->v, lifted - half * plane->u + half * plane->v};
         add_tube(pane.solids, rim, 0.7 * line, blue, true);
         for (const Vector<World>& t : probe.tangents)
-            if (glm::length(t.xyz) > 0.0) add_arrow(pane.solids, centre, 0.6 * length * glm::normalize(t.xyz), 0.6 * radius, blue);
+            if (glm::length(t.xyz) > 0.0)
+                add_arrow(pane.solids, centre, 0.6 * length * glm::normalize(t.xyz), 0.6 * radius, blue);
     }
     if (!scene.show.probe) return;
 
@@ -131,7 +139,8 @@ void add_probe_marks(Pane& pane, const Scene& scene, const ProbeInWorld& probe, 
         if (parallel(up, *n)) {
             const double arm = 0.2 * length;
             const glm::dvec3 along = -plane->u;
-            add_tube(pane.solids, std::array{centre + arm * along, centre + arm * along + arm * up, centre + arm * up}, line, color);
+            add_tube(pane.solids, std::array{centre + arm * along, centre + arm * along + arm * up, centre + arm * up},
+                     line, color);
         } else {
             const glm::dvec3 foot = glm::normalize(*n - glm::dot(*n, up) * up);
             const std::vector<glm::dvec3> arc = arc_between(centre, foot, *n, 0.3 * length);

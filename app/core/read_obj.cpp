@@ -31,9 +31,9 @@ public:
 struct Part {
     std::vector<glm::dvec3> positions, normals;
     Polygons::Block faces;
-    bool relative = false;                  // counts back from the vertices read so far
-    const char* bad_vertex = nullptr;       // the line that is not three numbers
-    bool understood = true;                 // by tinyobjloader
+    bool relative = false;             // counts back from the vertices read so far
+    const char* bad_vertex = nullptr;  // the line that is not three numbers
+    bool understood = true;            // by tinyobjloader
 };
 
 // OBJ counts from 1, or back from the last if negative; 0 stands for an index that is not given. What lies outside of
@@ -83,8 +83,12 @@ Part read_part(std::string_view text) {
     std::istream stream(&buffer);
     using Real = tinyobj::real_t;
     tinyobj::callback_t callback;
-    callback.vertex_cb = [](void* to, Real x, Real y, Real z, Real) { static_cast<Part*>(to)->positions.emplace_back(x, y, z); };
-    callback.normal_cb = [](void* to, Real x, Real y, Real z) { static_cast<Part*>(to)->normals.emplace_back(x, y, z); };
+    callback.vertex_cb = [](void* to, Real x, Real y, Real z, Real) {
+        static_cast<Part*>(to)->positions.emplace_back(x, y, z);
+    };
+    callback.normal_cb = [](void* to, Real x, Real y, Real z) {
+        static_cast<Part*>(to)->normals.emplace_back(x, y, z);
+    };
     callback.index_cb = [](void* to, tinyobj::index_t* indices, int count) {
         Part& p = *static_cast<Part*>(to);
         for (int i = 0; i < count; ++i) {
@@ -115,7 +119,8 @@ std::vector<std::string_view> cut(std::string_view text, std::size_t count) {
 
 std::vector<Part> read_parts(const std::vector<std::string_view>& texts) {
     std::vector<std::future<Part>> others;
-    for (std::size_t i = 1; i < texts.size(); ++i) others.push_back(std::async(std::launch::async, read_part, texts[i]));
+    for (std::size_t i = 1; i < texts.size(); ++i)
+        others.push_back(std::async(std::launch::async, read_part, texts[i]));
     std::vector<Part> parts;
     if (!texts.empty()) parts.push_back(read_part(texts[0]));
     for (std::future<Part>& part : others) parts.push_back(part.get());
@@ -125,7 +130,8 @@ std::vector<Part> read_parts(const std::vector<std::string_view>& texts) {
 }  // namespace
 
 Polygons read_obj(std::string_view text, const std::string& file) {
-    const std::size_t threads = std::clamp<std::size_t>(text.size() / kTextWorthAThread, 1, std::clamp(std::thread::hardware_concurrency(), 1u, 4u));
+    const std::size_t threads = std::clamp<std::size_t>(text.size() / kTextWorthAThread, 1,
+                                                        std::clamp(std::thread::hardware_concurrency(), 1u, 4u));
     std::vector<Part> parts = read_parts(cut(text, threads));
     // Indices that count back need everything before them: read the file in one go.
     if (std::any_of(parts.begin() + (parts.empty() ? 0 : 1), parts.end(), [](const Part& p) { return p.relative; }))
@@ -136,7 +142,8 @@ Polygons read_obj(std::string_view text, const std::string& file) {
         if (!part.bad_vertex) continue;
         const std::size_t at = static_cast<std::size_t>(part.bad_vertex - text.data());
         const std::size_t line = 1 + static_cast<std::size_t>(std::ranges::count(text.substr(0, at), '\n'));
-        throw InputError(file + ": line " + std::to_string(line) + ": a vertex needs three numbers; repair or export the mesh anew");
+        throw InputError(file + ": line " + std::to_string(line) +
+                         ": a vertex needs three numbers; repair or export the mesh anew");
     }
     for (Part& part : parts) {
         polygons.faces.push_back(std::move(part.faces));

@@ -37,13 +37,17 @@ public:
         require_surface();
         for (const Element& element : elements_) {
             if (element.count > rest_.size()) cut_short(element);
-            if (format_ == Format::Ascii) walk_ascii(element);
-            else walk_binary(element);
+            if (format_ == Format::Ascii)
+                walk_ascii(element);
+            else
+                walk_binary(element);
         }
     }
 
 private:
-    [[noreturn]] void fail(const std::string& what) const { throw InputError(file_ + ": " + what + "; export the mesh anew"); }
+    [[noreturn]] void fail(const std::string& what) const {
+        throw InputError(file_ + ": " + what + "; export the mesh anew");
+    }
     [[noreturn]] void cut_short(const Element& element) const {
         fail("ends before its " + std::to_string(element.count) + " entries of \"" + element.name + "\" do");
     }
@@ -71,9 +75,22 @@ private:
     }
     std::size_t size_of_type(std::string_view type) const {
         using Size = std::pair<std::string_view, std::size_t>;
-        constexpr std::array<Size, 16> kSizes{{{"char", 1}, {"int8", 1}, {"uchar", 1}, {"uint8", 1}, {"short", 2}, {"int16", 2},
-                                               {"ushort", 2}, {"uint16", 2}, {"int", 4}, {"int32", 4}, {"uint", 4}, {"uint32", 4},
-                                               {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}}};
+        constexpr std::array<Size, 16> kSizes{{{"char", 1},
+                                               {"int8", 1},
+                                               {"uchar", 1},
+                                               {"uint8", 1},
+                                               {"short", 2},
+                                               {"int16", 2},
+                                               {"ushort", 2},
+                                               {"uint16", 2},
+                                               {"int", 4},
+                                               {"int32", 4},
+                                               {"uint", 4},
+                                               {"uint32", 4},
+                                               {"float", 4},
+                                               {"float32", 4},
+                                               {"double", 8},
+                                               {"float64", 8}}};
         const auto found = std::ranges::find(kSizes, type, &Size::first);
         if (found == kSizes.end()) fail("its header has an unknown type \"" + std::string(type.substr(0, 20)) + "\"");
         return found->second;
@@ -92,10 +109,14 @@ private:
             if (key == "format") {
                 const std::string_view format = word(*text);
                 has_format = true;
-                if (format == "ascii") format_ = Format::Ascii;
-                else if (format == "binary_little_endian") format_ = Format::LittleEndian;
-                else if (format == "binary_big_endian") format_ = Format::BigEndian;
-                else fail("its header names an unknown format");
+                if (format == "ascii")
+                    format_ = Format::Ascii;
+                else if (format == "binary_little_endian")
+                    format_ = Format::LittleEndian;
+                else if (format == "binary_big_endian")
+                    format_ = Format::BigEndian;
+                else
+                    fail("its header names an unknown format");
             } else if (key == "element") {
                 const std::string_view element = word(*text);
                 const std::optional<std::size_t> count = count_from(word(*text));
@@ -127,11 +148,13 @@ private:
             const bool faces = element.name == "face" || element.name == "tristrips";
             // assimp takes the first of a list's values where it expects a single one, even of an empty list.
             for (const Property& p : element.properties)
-                if (p.count_size > 0 && !(faces && (p.name.starts_with("vertex_ind") || p.name.starts_with("texcoord"))))
+                if (p.count_size > 0 &&
+                    !(faces && (p.name.starts_with("vertex_ind") || p.name.starts_with("texcoord"))))
                     fail("has a list \"" + p.name + "\" in \"" + element.name + "\", which is not understood");
         }
         const bool surface = std::ranges::any_of(elements_, [](const Element& e) {
-            return (e.name == "face" || e.name == "tristrips") && e.count > 0 && (e.has("vertex_indices") || e.has("vertex_index"));
+            return (e.name == "face" || e.name == "tristrips") && e.count > 0 &&
+                   (e.has("vertex_indices") || e.has("vertex_index"));
         });
         if (!surface) throw InputError(file_ + ": has no faces, only points; export it as a surface");
     }
@@ -149,13 +172,15 @@ private:
                 }
                 for (; values > 0; --values) {
                     const std::string_view value = word(*text);
-                    if (value.empty() || value.find_first_not_of("0123456789+-.eE") != value.npos) bad_entry(element, i);
+                    if (value.empty() || value.find_first_not_of("0123456789+-.eE") != value.npos)
+                        bad_entry(element, i);
                 }
             }
         }
     }
     [[noreturn]] void bad_entry(const Element& element, std::size_t i) const {
-        fail("entry " + std::to_string(i + 1) + " of \"" + element.name + "\" is not the numbers that the header announces");
+        fail("entry " + std::to_string(i + 1) + " of \"" + element.name +
+             "\" is not the numbers that the header announces");
     }
 
     void walk_binary(const Element& element) {

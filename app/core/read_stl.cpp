@@ -24,10 +24,14 @@ void check_size(std::string_view bytes, const std::string& file) {
     const std::size_t start = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
     const bool text = bytes.substr(start).starts_with("solid") && bytes.find('\0') == bytes.npos;
     if (!text && bytes.size() >= kHeader)
-        throw InputError(file + ": announces " + std::to_string(claimed_facets(bytes)) + " facets, which is not what its " +
-                         std::to_string(bytes.size()) + " bytes hold, so it is cut short or no STL file; export the mesh anew");
-    if (!text) throw InputError(file + ": is too short for an STL file and does not begin with \"solid\"; export the mesh anew");
-    if (bytes.find("endsolid") == bytes.npos) throw InputError(file + ": ends before its \"endsolid\"; export the mesh anew");
+        throw InputError(file + ": announces " + std::to_string(claimed_facets(bytes)) +
+                         " facets, which is not what its " + std::to_string(bytes.size()) +
+                         " bytes hold, so it is cut short or no STL file; export the mesh anew");
+    if (!text)
+        throw InputError(file +
+                         ": is too short for an STL file and does not begin with \"solid\"; export the mesh anew");
+    if (bytes.find("endsolid") == bytes.npos)
+        throw InputError(file + ": ends before its \"endsolid\"; export the mesh anew");
 }
 
 // STL names no vertices: every facet brings its three corners. Those at exactly the same place become one, so that

@@ -17,7 +17,8 @@ std::vector<ArrowKind> shown_arrows(const Scene& scene, Rule pane_rule) {
     }
     if (scene.arrows.show) return *scene.arrows.show;
     if (scene.view == ViewMode::Single) return {arrow_kind(pane_rule)};
-    if (pane_rule == Rule::Cofactor) return {ArrowKind::Object, ArrowKind::Naive, ArrowKind::InverseTranspose, ArrowKind::Cofactor};
+    if (pane_rule == Rule::Cofactor)
+        return {ArrowKind::Object, ArrowKind::Naive, ArrowKind::InverseTranspose, ArrowKind::Cofactor};
     return {ArrowKind::Object, ArrowKind::Naive, ArrowKind::InverseTranspose};
 }
 

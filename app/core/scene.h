@@ -34,7 +34,8 @@ using SurfaceSource = std::variant<ShapeSurface, MeshSurface>;
 
 /// The normals that can be shown as arrows: those of the untransformed object and those of each rule.
 enum class ArrowKind { Object, Naive, InverseTranspose, Cofactor };
-inline constexpr std::array kArrowKinds{ArrowKind::Object, ArrowKind::Naive, ArrowKind::InverseTranspose, ArrowKind::Cofactor};
+inline constexpr std::array kArrowKinds{ArrowKind::Object, ArrowKind::Naive, ArrowKind::InverseTranspose,
+                                        ArrowKind::Cofactor};
 constexpr ArrowKind arrow_kind(Rule rule) { return static_cast<ArrowKind>(static_cast<int>(rule) + 1); }
 
 struct Arrows {

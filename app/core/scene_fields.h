@@ -22,11 +22,13 @@ inline constexpr std::size_t kMostStackEntries = 200;
 template <class E>
 using EnumName = std::pair<E, std::string_view>;
 
-inline constexpr std::array kShapeNames{
-    EnumName<Shape>{Shape::Sphere, "sphere"}, EnumName<Shape>{Shape::Cube, "cube"},
-    EnumName<Shape>{Shape::Cylinder, "cylinder"}, EnumName<Shape>{Shape::Cone, "cone"},
-    EnumName<Shape>{Shape::Torus, "torus"}, EnumName<Shape>{Shape::Plane, "plane"},
-    EnumName<Shape>{Shape::Dodecahedron, "dodecahedron"}};
+inline constexpr std::array kShapeNames{EnumName<Shape>{Shape::Sphere, "sphere"},
+                                        EnumName<Shape>{Shape::Cube, "cube"},
+                                        EnumName<Shape>{Shape::Cylinder, "cylinder"},
+                                        EnumName<Shape>{Shape::Cone, "cone"},
+                                        EnumName<Shape>{Shape::Torus, "torus"},
+                                        EnumName<Shape>{Shape::Plane, "plane"},
+                                        EnumName<Shape>{Shape::Dodecahedron, "dodecahedron"}};
 inline constexpr std::array kViewNames{EnumName<ViewMode>{ViewMode::Single, "single"},
                                        EnumName<ViewMode>{ViewMode::Split, "split"},
                                        EnumName<ViewMode>{ViewMode::Overlay, "overlay"}};

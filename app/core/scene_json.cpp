@@ -159,8 +159,7 @@ void read_array(const Json& j, const std::string& path, std::size_t size, const 
 }
 void read(const Json& j, const std::string& path, glm::dvec3& v, Range range) {
     read_array(j, path, 3, "numbers");
-    for (int i = 0; i < 3; ++i)
-        read(j[static_cast<std::size_t>(i)], child(path, std::to_string(i)), v[i], range);
+    for (int i = 0; i < 3; ++i) read(j[static_cast<std::size_t>(i)], child(path, std::to_string(i)), v[i], range);
 }
 void read(const Json& j, const std::string& path, Point<Object>& p) { read(j, path, p.xyz, kCoordinate); }
 void read(const Json& j, const std::string& path, glm::dmat4& m) {
@@ -215,8 +214,10 @@ struct Reader {
 
 template <class T, class... R>
 void read(const Json& j, const std::string& path, std::optional<T>& v, R... range) {
-    if (j.is_null()) v.reset();
-    else read(j, path, v.emplace(), range...);
+    if (j.is_null())
+        v.reset();
+    else
+        read(j, path, v.emplace(), range...);
 }
 template <class T>
 void read(const Json& j, const std::string& path, std::vector<T>& v) {
@@ -251,8 +252,10 @@ std::string alternative(const Json& j, const std::string& path, const std::vecto
 
 void read(const Json& j, const std::string& path, SurfaceSource& v) {
     const std::string kind = alternative(j, path, kAlternatives[0]);
-    if (kind == "shape") read(j, path, v.emplace<ShapeSurface>());
-    else read(j, path, v.emplace<MeshSurface>());
+    if (kind == "shape")
+        read(j, path, v.emplace<ShapeSurface>());
+    else
+        read(j, path, v.emplace<MeshSurface>());
 }
 
 void read(const Json& j, const std::string& path, StackEntry& v) {
@@ -260,11 +263,16 @@ void read(const Json& j, const std::string& path, StackEntry& v) {
     if (j.size() != 1) fail(path, "has other keys beside " + kind + "; each entry is one transform");
     const std::string at = child(path, kind);
     const Json& body = j[kind];
-    if (kind == "scale") read(body, at, v.emplace<Scale>().factors, kCoordinate);
-    else if (kind == "rotate") read(body, at, v.emplace<Rotate>());
-    else if (kind == "translate") read(body, at, v.emplace<Translate>().offset, kCoordinate);
-    else if (kind == "shear") read(body, at, v.emplace<Shear>());
-    else read(body, at, v.emplace<Matrix>().matrix);
+    if (kind == "scale")
+        read(body, at, v.emplace<Scale>().factors, kCoordinate);
+    else if (kind == "rotate")
+        read(body, at, v.emplace<Rotate>());
+    else if (kind == "translate")
+        read(body, at, v.emplace<Translate>().offset, kCoordinate);
+    else if (kind == "shear")
+        read(body, at, v.emplace<Shear>());
+    else
+        read(body, at, v.emplace<Matrix>().matrix);
     if (const Rotate* r = std::get_if<Rotate>(&v); r && glm::length(r->axis) == 0.0)
         fail(child(at, "axis"), "is zero, so it has no direction; try [0, 0, 1]");
 }
@@ -273,7 +281,8 @@ Scene scene_of(Json root, const std::string& prefix) {
     if (!root.is_object()) fail(prefix + "scene", "expected an object, found " + shown(root));
     if (const auto it = root.find("normalscope"); it != root.end()) {
         if (!it->is_number_integer()) fail_type(prefix + "normalscope", "the format's number, 1", *it);
-        if (*it != 1) fail(prefix + "normalscope", "format " + shown(*it) + " is not known; this program reads format 1");
+        if (*it != 1)
+            fail(prefix + "normalscope", "format " + shown(*it) + " is not known; this program reads format 1");
         root.erase(it);
     }
     Scene scene;
@@ -301,7 +310,8 @@ std::string reason(const std::exception& e) {
 constexpr int kDeepest = 32;
 
 bool not_too_deep(int depth, Json::parse_event_t, Json&) {
-    if (depth > kDeepest) throw InputError("nested more than " + std::to_string(kDeepest) + " levels deep, which no scene is");
+    if (depth > kDeepest)
+        throw InputError("nested more than " + std::to_string(kDeepest) + " levels deep, which no scene is");
     return true;
 }
 
@@ -328,19 +338,23 @@ Json setting_value(const std::string& text, const std::string& path) {
 }
 
 Json& element(Json& array, const std::string& path, const std::string& key) {
-    const bool digits = !key.empty() && key.size() < 7 && std::ranges::all_of(key, [](char c) { return c >= '0' && c <= '9'; });
+    const bool digits =
+        !key.empty() && key.size() < 7 && std::ranges::all_of(key, [](char c) { return c >= '0' && c <= '9'; });
     const std::size_t index = digits ? static_cast<std::size_t>(std::stoul(key)) : array.size() + 1;
     // One past the end of the stack appends an entry.
     if (index == array.size() && path == "stack") array.push_back(Json::object());
     if (index >= array.size())
-        fail("--set " + child(path, key), "no such entry; there are " + std::to_string(array.size()) + ", counted from 0");
+        fail("--set " + child(path, key),
+             "no such entry; there are " + std::to_string(array.size()) + ", counted from 0");
     return array[index];
 }
 
 Json& member(Json& object, const std::string& path, const std::string& key) {
     if (!object.is_object()) fail("--set " + child(path, key), "there is nothing below " + shown(object));
     // Another kind of surface or of entry replaces the one that is there.
-    const std::vector<std::string>* kinds = path == "surface" ? &kAlternatives[0] : path.starts_with("stack.") ? &kAlternatives[1] : nullptr;
+    const std::vector<std::string>* kinds = path == "surface"            ? &kAlternatives[0]
+                                            : path.starts_with("stack.") ? &kAlternatives[1]
+                                                                         : nullptr;
     const bool is_kind = kinds && std::ranges::count(*kinds, key) > 0 && std::ranges::count(path, '.') <= 1;
     if (is_kind && !object.contains(key)) object = Json{{key, nullptr}};
     if (!object.contains(key)) {
@@ -377,8 +391,10 @@ Scene with_setting(const Scene& scene, std::string_view assignment) {
 
     std::vector<std::string> keys{""};
     for (const char c : assignment.substr(0, equals))
-        if (c == '.') keys.emplace_back();
-        else keys.back() += c;
+        if (c == '.')
+            keys.emplace_back();
+        else
+            keys.back() += c;
 
     Json root = json_of_scene(scene);
     Json* node = &root;
@@ -421,7 +437,8 @@ Scene load_scene(const std::string& file_or_name) {
 
     std::error_code ignored;
     if (fs::exists(path, ignored))
-        throw InputError(file_or_name + ": its ending tells nothing; a scene ends in .json, a mesh in .obj, .ply or .stl");
+        throw InputError(file_or_name +
+                         ": its ending tells nothing; a scene ends in .json, a mesh in .obj, .ply or .stl");
     std::vector<std::string> names;
     for (const BuiltInScene& scene : built_in_scenes()) names.push_back(scene.name);
     throw InputError(file_or_name + ": no such file, nor a built-in scene (" + joined(names) + ")");

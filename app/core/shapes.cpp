@@ -48,7 +48,9 @@ public:
     void grid(int columns, int rows, bool wrap_u, bool wrap_v, const std::function<Vertex(double, double)>& at) {
         const int wide = columns + (wrap_u ? 0 : 1), high = rows + (wrap_v ? 0 : 1);
         std::vector<std::uint32_t> index(static_cast<std::size_t>(wide) * static_cast<std::size_t>(high));
-        const auto slot = [&](int i, int j) -> std::uint32_t& { return index[static_cast<std::size_t>((j % high) * wide + i % wide)]; };
+        const auto slot = [&](int i, int j) -> std::uint32_t& {
+            return index[static_cast<std::size_t>((j % high) * wide + i % wide)];
+        };
         for (int j = 0; j < high; ++j)
             for (int i = 0; i < wide; ++i) slot(i, j) = vertex(at(double(i) / columns, double(j) / rows));
         for (int j = 0; j < rows; ++j)
@@ -65,11 +67,22 @@ private:
 // A geodesic sphere: each face of the icosahedron in frequency² triangles, so that arrows on it are evenly spread.
 Mesh sphere(int resolution) {
     const double g = glm::golden_ratio<double>();
-    const std::array<glm::dvec3, 12> corners{{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                                              {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}}};
-    constexpr std::array<glm::ivec3, 20> kFaces{{{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                                                 {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-                                                 {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+    const std::array<glm::dvec3, 12> corners{{{-1, g, 0},
+                                              {1, g, 0},
+                                              {-1, -g, 0},
+                                              {1, -g, 0},
+                                              {0, -1, g},
+                                              {0, 1, g},
+                                              {0, -1, -g},
+                                              {0, 1, -g},
+                                              {g, 0, -1},
+                                              {g, 0, 1},
+                                              {-g, 0, -1},
+                                              {-g, 0, 1}}};
+    constexpr std::array<glm::ivec3, 20> kFaces{{{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                                 {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                                 {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                                 {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}}};
     const int f = std::max(1, (resolution + 2) / 4);
     struct Lattice {
         int coarseness;  // how many times coarser a lattice this vertex would still be part of
@@ -79,13 +92,17 @@ Mesh sphere(int resolution) {
     std::vector<glm::uvec3> triangles;
     // Vertices on the icosahedron's edges belong to several faces: find them again by their rounded place.
     struct Less {
-        bool operator()(const glm::i64vec3& a, const glm::i64vec3& b) const { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
+        bool operator()(const glm::i64vec3& a, const glm::i64vec3& b) const {
+            return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+        }
     };
     std::map<glm::i64vec3, std::uint32_t, Less> known;
     const auto vertex = [&](const glm::ivec3& face, int i, int j) {
         const auto corner = [&](int k) { return corners[static_cast<std::size_t>(face[k])]; };
-        const glm::dvec3 p = glm::normalize(double(f - i - j) * corner(0) + double(i) * corner(1) + double(j) * corner(2));
-        const auto [it, added] = known.try_emplace(glm::i64vec3(glm::round(1e9 * p)), static_cast<std::uint32_t>(vertices.size()));
+        const glm::dvec3 p =
+            glm::normalize(double(f - i - j) * corner(0) + double(i) * corner(1) + double(j) * corner(2));
+        const auto [it, added] =
+            known.try_emplace(glm::i64vec3(glm::round(1e9 * p)), static_cast<std::uint32_t>(vertices.size()));
         if (added) vertices.push_back({std::gcd(std::gcd(i, j), f), p});
         return it->second;
     };
@@ -206,13 +223,16 @@ Mesh dodecahedron() {
     Builder builder;
     for (const double s : {-1.0, 1.0})
         for (const double t : {-1.0, 1.0})
-            for (const glm::dvec3& n : {glm::dvec3(0.0, s * g, t), glm::dvec3(s * g, t, 0.0), glm::dvec3(t, 0.0, s * g)}) {
+            for (const glm::dvec3& n :
+                 {glm::dvec3(0.0, s * g, t), glm::dvec3(s * g, t, 0.0), glm::dvec3(t, 0.0, s * g)}) {
                 std::vector<glm::dvec3> face = corners;
                 std::ranges::sort(face, std::greater{}, [&](const glm::dvec3& p) { return glm::dot(p, n); });
                 face.resize(5);
                 const glm::dvec3 centre = (face[0] + face[1] + face[2] + face[3] + face[4]) / 5.0;
                 const glm::dvec3 u = glm::normalize(face[0] - centre), v = glm::cross(glm::normalize(n), u);
-                std::ranges::sort(face, {}, [&](const glm::dvec3& p) { return std::atan2(glm::dot(p - centre, v), glm::dot(p - centre, u)); });
+                std::ranges::sort(face, {}, [&](const glm::dvec3& p) {
+                    return std::atan2(glm::dot(p - centre, v), glm::dot(p - centre, u));
+                });
                 for (glm::dvec3& p : face) p /= std::sqrt(3.0);
                 flat_face(builder, face);
             }
@@ -223,7 +243,8 @@ Mesh dodecahedron() {
 
 Mesh make_shape(const ShapeSurface& shape) {
     const int n = shape.resolution;
-    if (n < 3 || n > 512) throw InputError("surface.resolution: " + std::to_string(n) + " is out of range; it goes from 3 to 512");
+    if (n < 3 || n > 512)
+        throw InputError("surface.resolution: " + std::to_string(n) + " is out of range; it goes from 3 to 512");
     const auto of_kind = [&] {
         switch (shape.shape) {
             case Shape::Sphere: return sphere(n);

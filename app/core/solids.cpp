@@ -30,9 +30,11 @@ struct Corner {
     glm::dvec3 position, normal;
 };
 void add_triangle(Solids& solids, const Corner& a, const Corner& b, const Corner& c, const glm::vec4& color) {
-    for (const Corner& corner : {a, b, c}) solids.push_back({glm::vec3(corner.position), glm::vec3(corner.normal), color});
+    for (const Corner& corner : {a, b, c})
+        solids.push_back({glm::vec3(corner.position), glm::vec3(corner.normal), color});
 }
-void add_quad(Solids& solids, const Corner& a, const Corner& b, const Corner& c, const Corner& d, const glm::vec4& color) {
+void add_quad(Solids& solids, const Corner& a, const Corner& b, const Corner& c, const Corner& d,
+              const glm::vec4& color) {
     add_triangle(solids, a, b, c, color);
     add_triangle(solids, a, c, d, color);
 }
@@ -49,7 +51,8 @@ void add_band(Solids& solids, const glm::dvec3& from, double from_radius, const 
         add_quad(solids, corner(from, from_radius, i), corner(from, from_radius, i + 1), corner(to, to_radius, i + 1),
                  corner(to, to_radius, i), color);
 }
-void add_disc(Solids& solids, const glm::dvec3& centre, double radius, const glm::dvec3& normal, const glm::vec4& color) {
+void add_disc(Solids& solids, const glm::dvec3& centre, double radius, const glm::dvec3& normal,
+              const glm::vec4& color) {
     const Basis basis = perpendicular(normal);
     for (int i = 0; i < kSides; ++i)
         add_triangle(solids, {centre, normal}, {centre + radius * around(basis, i), normal},
@@ -58,11 +61,13 @@ void add_disc(Solids& solids, const glm::dvec3& centre, double radius, const glm
 
 }  // namespace
 
-void add_arrow(Solids& solids, const glm::dvec3& base, const glm::dvec3& vector, double radius, const glm::vec4& color) {
+void add_arrow(Solids& solids, const glm::dvec3& base, const glm::dvec3& vector, double radius,
+               const glm::vec4& color) {
     const double length = glm::length(vector);
     if (!(length > 0.0)) return;
     const glm::dvec3 axis = vector / length;
-    const double head = std::min<double>(ArrowProportions::kHeadLength * radius, ArrowProportions::kLongestHead * length);
+    const double head =
+        std::min<double>(ArrowProportions::kHeadLength * radius, ArrowProportions::kLongestHead * length);
     const double head_radius = ArrowProportions::kHeadRadius * radius;
     const glm::dvec3 neck = base + (length - head) * axis;
     add_disc(solids, base, radius, -axis, color);
@@ -82,7 +87,8 @@ void add_tube(Solids& solids, std::span<const glm::dvec3> points, double radius,
     for (const glm::dvec3& p : points) add_ball(solids, p, radius, color);
 }
 
-void add_cube(Solids& solids, const glm::dvec3& centre, const glm::dvec3& direction, double half, const glm::vec4& color) {
+void add_cube(Solids& solids, const glm::dvec3& centre, const glm::dvec3& direction, double half,
+              const glm::vec4& color) {
     const glm::dvec3 w = glm::normalize(direction);
     const Basis basis = perpendicular(w);
     const std::array axes{basis.u, basis.v, w};
@@ -105,13 +111,15 @@ void add_ball(Solids& solids, const glm::dvec3& centre, double radius, const glm
     };
     for (int ring = 0; ring < kRings; ++ring)
         for (int side = 0; side < kSides; ++side)
-            add_quad(solids, corner(ring, side), corner(ring, side + 1), corner(ring + 1, side + 1), corner(ring + 1, side), color);
+            add_quad(solids, corner(ring, side), corner(ring, side + 1), corner(ring + 1, side + 1),
+                     corner(ring + 1, side), color);
 }
 
-void add_patch(Solids& solids, const glm::dvec3& centre, const glm::dvec3& half_u, const glm::dvec3& half_v, const glm::vec4& color) {
+void add_patch(Solids& solids, const glm::dvec3& centre, const glm::dvec3& half_u, const glm::dvec3& half_v,
+               const glm::vec4& color) {
     const glm::dvec3 unlit(0.0);
-    add_quad(solids, {centre - half_u - half_v, unlit}, {centre + half_u - half_v, unlit}, {centre + half_u + half_v, unlit},
-             {centre - half_u + half_v, unlit}, color);
+    add_quad(solids, {centre - half_u - half_v, unlit}, {centre + half_u - half_v, unlit},
+             {centre + half_u + half_v, unlit}, {centre - half_u + half_v, unlit}, color);
 }
 
 }  // namespace normalscope

@@ -21,11 +21,14 @@ struct ArrowProportions {
 /// An arrow from `base` along `vector`; nothing where the vector is zero.
 void add_arrow(Solids& solids, const glm::dvec3& base, const glm::dvec3& vector, double radius, const glm::vec4& color);
 /// A round line through the points.
-void add_tube(Solids& solids, std::span<const glm::dvec3> points, double radius, const glm::vec4& color, bool closed = false);
+void add_tube(Solids& solids, std::span<const glm::dvec3> points, double radius, const glm::vec4& color,
+              bool closed = false);
 /// A cube, `axis` of which lies along `direction`.
-void add_cube(Solids& solids, const glm::dvec3& centre, const glm::dvec3& direction, double half, const glm::vec4& color);
+void add_cube(Solids& solids, const glm::dvec3& centre, const glm::dvec3& direction, double half,
+              const glm::vec4& color);
 void add_ball(Solids& solids, const glm::dvec3& centre, double radius, const glm::vec4& color);
 /// A flat, unlit parallelogram about `centre`, seen from both sides.
-void add_patch(Solids& solids, const glm::dvec3& centre, const glm::dvec3& half_u, const glm::dvec3& half_v, const glm::vec4& color);
+void add_patch(Solids& solids, const glm::dvec3& centre, const glm::dvec3& half_u, const glm::dvec3& half_v,
+               const glm::vec4& color);
 
 }  // namespace normalscope

@@ -44,32 +44,31 @@ std::string_view name(const StackEntry& entry) {
 }
 
 glm::dmat4 matrix(const StackEntry& entry) {
-    return std::visit(
-        Overload{
-            [](const Scale& s) { return glm::scale(glm::dmat4(1.0), s.factors); },
-            [](const Rotate& r) { return glm::dmat4(rotation(r.axis, r.degrees)); },
-            [](const Translate& t) { return glm::translate(glm::dmat4(1.0), t.offset); },
-            [](const Shear& s) {  // columns: where x, y and z go
-                return glm::dmat4(glm::dmat3(1.0, s.yx, s.zx, s.xy, 1.0, s.zy, s.xz, s.yz, 1.0));
-            },
-            [](const Matrix& m) { return m.matrix; },
-        },
-        entry);
+    return std::visit(Overload{
+                          [](const Scale& s) { return glm::scale(glm::dmat4(1.0), s.factors); },
+                          [](const Rotate& r) { return glm::dmat4(rotation(r.axis, r.degrees)); },
+                          [](const Translate& t) { return glm::translate(glm::dmat4(1.0), t.offset); },
+                          [](const Shear& s) {  // columns: where x, y and z go
+                              return glm::dmat4(glm::dmat3(1.0, s.yx, s.zx, s.xy, 1.0, s.zy, s.xz, s.yz, 1.0));
+                          },
+                          [](const Matrix& m) { return m.matrix; },
+                      },
+                      entry);
 }
 
 StackEntry partly(const StackEntry& entry, double part) {
     const auto from_one = [&](const auto& to) { return (1.0 - part) * std::decay_t<decltype(to)>(1.0) + part * to; };
-    return std::visit(
-        Overload{
-            [&](const Scale& s) -> StackEntry { return Scale{from_one(s.factors)}; },
-            [&](const Rotate& r) -> StackEntry { return Rotate{r.axis, part * r.degrees}; },
-            [&](const Translate& t) -> StackEntry { return Translate{part * t.offset}; },
-            [&](const Shear& s) -> StackEntry {
-                return Shear{part * s.xy, part * s.xz, part * s.yx, part * s.yz, part * s.zx, part * s.zy};
-            },
-            [&](const Matrix& m) -> StackEntry { return Matrix{from_one(m.matrix)}; },
-        },
-        entry);
+    return std::visit(Overload{
+                          [&](const Scale& s) -> StackEntry { return Scale{from_one(s.factors)}; },
+                          [&](const Rotate& r) -> StackEntry { return Rotate{r.axis, part * r.degrees}; },
+                          [&](const Translate& t) -> StackEntry { return Translate{part * t.offset}; },
+                          [&](const Shear& s) -> StackEntry {
+                              return Shear{part * s.xy, part * s.xz, part * s.yx,
+                                           part * s.yz, part * s.zx, part * s.zy};
+                          },
+                          [&](const Matrix& m) -> StackEntry { return Matrix{from_one(m.matrix)}; },
+                      },
+                      entry);
 }
 
 glm::dmat4 product(std::span<const StackEntry> stack) {

@@ -16,7 +16,8 @@ std::shared_ptr<const Surface> SurfaceCache::get(const Scene& scene) {
     const bool same_mesh = mesh_ && mesh_source_ == scene.surface;
     // Which arrow kinds are shown and how long they are does not change where they stand.
     const auto placement = [](const Arrows& a) { return std::tuple(a.at, a.every, a.limit); };
-    if (surface_ && surface_source_ == scene.surface && placement(surface_arrows_) == placement(scene.arrows)) return surface_;
+    if (surface_ && surface_source_ == scene.surface && placement(surface_arrows_) == placement(scene.arrows))
+        return surface_;
 
     const bool faces = scene.arrows.at == ArrowPlacement::Faces;
     auto surface = std::make_shared<Surface>();
@@ -24,15 +25,19 @@ std::shared_ptr<const Surface> SurfaceCache::get(const Scene& scene) {
         const ShapeSurface* shape = std::get_if<ShapeSurface>(&scene.surface);
         surface->mesh = shape ? make_shape(*shape) : load_mesh(std::get<MeshSurface>(scene.surface).mesh);
         // A mesh that is drawn as it is need not be kept twice: it takes time and memory to copy a million triangles.
-        mesh_ = faces ? std::make_shared<const Mesh>(std::move(surface->mesh)) : std::shared_ptr<const Mesh>(surface, &surface->mesh);
+        mesh_ = faces ? std::make_shared<const Mesh>(std::move(surface->mesh))
+                      : std::shared_ptr<const Mesh>(surface, &surface->mesh);
         mesh_source_ = scene.surface;
     }
     surface->area = surface_area(*mesh_);
     for (const glm::dvec3& p : mesh_->positions) surface->extent = glm::max(surface->extent, glm::abs(p));
-    surface->arrows = thinned(faces ? face_sites(*mesh_) : vertex_sites(*mesh_), static_cast<std::size_t>(scene.arrows.every),
-                              static_cast<std::size_t>(scene.arrows.limit), surface->area);
-    if (faces) surface->mesh = flat_shaded(*mesh_);
-    else if (same_mesh) surface->mesh = *mesh_;
+    surface->arrows =
+        thinned(faces ? face_sites(*mesh_) : vertex_sites(*mesh_), static_cast<std::size_t>(scene.arrows.every),
+                static_cast<std::size_t>(scene.arrows.limit), surface->area);
+    if (faces)
+        surface->mesh = flat_shaded(*mesh_);
+    else if (same_mesh)
+        surface->mesh = *mesh_;
     surface_ = std::move(surface);
     surface_source_ = scene.surface;
     surface_arrows_ = scene.arrows;
@@ -41,7 +46,9 @@ std::shared_ptr<const Surface> SurfaceCache::get(const Scene& scene) {
 
 Mesh flat_shaded(const Mesh& mesh) {
     std::vector<glm::dvec3> face_normals(mesh.face_count(), glm::dvec3(0.0));
-    const auto face_of = [&](std::size_t triangle) { return mesh.face_of_triangle.empty() ? triangle : mesh.face_of_triangle[triangle]; };
+    const auto face_of = [&](std::size_t triangle) {
+        return mesh.face_of_triangle.empty() ? triangle : mesh.face_of_triangle[triangle];
+    };
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const glm::uvec3& t = mesh.triangles[i];
         const glm::dvec3& a = mesh.positions[t.x];
@@ -98,7 +105,8 @@ std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMa
     return statistics;
 }
 
-std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMap& naive, const NormalMatrices& matrices) {
+std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMap& naive,
+                                                const NormalMatrices& matrices) {
     if (!matrices.inverse_transpose) return std::nullopt;
     if (naive == NormalMap{.matrix = glm::dmat4(matrices.naive)}) return error_statistics(mesh, matrices);
     ErrorStatistics statistics;

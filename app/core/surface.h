@@ -47,7 +47,8 @@ struct ErrorStatistics {
 std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMatrices& matrices);
 
 /// The same for another map in the naive rule's place, such as a scene's mistake.
-std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMap& naive, const NormalMatrices& matrices);
+std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMap& naive,
+                                                const NormalMatrices& matrices);
 
 /// The angle between the naive and the true image of `n`; empty where either does not exist.
 std::optional<double> error_degrees(const NormalMatrices& matrices, Normal<Object> n);

@@ -41,7 +41,8 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
 // Meisters' ear clipping, "Polygons have ears", 1975.
 class EarClipper {
 public:
-    explicit EarClipper(const std::vector<glm::dvec3>& ring) : at_(flattened(ring)), next_(at_.size()), previous_(at_.size()) {
+    explicit EarClipper(const std::vector<glm::dvec3>& ring)
+        : at_(flattened(ring)), next_(at_.size()), previous_(at_.size()) {
         const std::size_t n = at_.size();
         for (std::size_t i = 0; i < n; ++i) next_[i] = (i + 1) % n, previous_[i] = (i + n - 1) % n;
     }

@@ -42,7 +42,8 @@ void append_stage(GLuint program, GLenum stage, std::string_view file, std::stri
 
 }  // namespace
 
-Program::Program(std::string_view vertex_file, std::string_view fragment_file, std::string_view define) : id_(glCreateProgram()) {
+Program::Program(std::string_view vertex_file, std::string_view fragment_file, std::string_view define)
+    : id_(glCreateProgram()) {
     try {
         append_stage(id_, GL_VERTEX_SHADER, vertex_file, define);
         append_stage(id_, GL_FRAGMENT_SHADER, fragment_file, define);

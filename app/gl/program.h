@@ -43,7 +43,9 @@ protected:
     static void set(GLint at, const glm::vec4& v) { glUniform4f(at, v.x, v.y, v.z, v.w); }
     static void set(GLint at, const glm::mat3& v) { glUniformMatrix3fv(at, 1, GL_FALSE, &v[0].x); }
     static void set(GLint at, const glm::mat4& v) { glUniformMatrix4fv(at, 1, GL_FALSE, &v[0].x); }
-    static void set(GLint at, std::span<const glm::vec3> v) { glUniform3fv(at, static_cast<GLsizei>(v.size()), &v[0].x); }
+    static void set(GLint at, std::span<const glm::vec3> v) {
+        glUniform3fv(at, static_cast<GLsizei>(v.size()), &v[0].x);
+    }
 
 private:
     GLuint id_ = 0;

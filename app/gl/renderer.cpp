@@ -114,7 +114,8 @@ void Renderer::Resources::draw_arrows(const Frame& frame, const Pane& pane) {
         set_tint(glm::vec4(draw.color, 1.0f));
         scene_program.arrow_length = draw.length;
         scene_program.shaft_radius = draw.radius;
-        scene_program.head_length = std::min(ArrowProportions::kHeadLength * draw.radius, ArrowProportions::kLongestHead * draw.length);
+        scene_program.head_length =
+            std::min(ArrowProportions::kHeadLength * draw.radius, ArrowProportions::kLongestHead * draw.length);
         arrows->draw();
     }
     glDisable(GL_CULL_FACE);

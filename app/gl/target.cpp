@@ -11,8 +11,8 @@ namespace {
 
 void check_complete(glm::ivec2 size, int samples) {
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && glGetError() == GL_NO_ERROR) return;
-    throw ContextError("this driver cannot draw " + std::to_string(size.x) + "x" + std::to_string(size.y) + " pixels with " +
-                       std::to_string(samples) + " samples; use a smaller size or fewer samples");
+    throw ContextError("this driver cannot draw " + std::to_string(size.x) + "x" + std::to_string(size.y) +
+                       " pixels with " + std::to_string(samples) + " samples; use a smaller size or fewer samples");
 }
 
 int supported(int samples) {
@@ -29,7 +29,8 @@ Target::Target(glm::ivec2 size, int samples) : size_(size), samples_(supported(s
     GLint largest = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
     if (size.x > largest || size.y > largest)
-        throw ContextError("this driver draws at most " + std::to_string(largest) + " pixels a side; use a smaller size");
+        throw ContextError("this driver draws at most " + std::to_string(largest) +
+                           " pixels a side; use a smaller size");
 
     const auto storage = [&](const GlRenderbuffer& buffer, GLenum format, int count) {
         glBindRenderbuffer(GL_RENDERBUFFER, buffer.id());
@@ -72,14 +73,16 @@ void Target::show() const {
 }
 
 Image Target::read() const {
-    Image image{size_, std::vector<std::uint8_t>(4 * static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y))};
+    Image image{size_,
+                std::vector<std::uint8_t>(4 * static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y))};
     glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
     // GL's first row is the lowest.
     const auto row = 4 * static_cast<std::ptrdiff_t>(size_.x);
     for (std::ptrdiff_t top = 0, bottom = size_.y - 1; top < bottom; ++top, --bottom)
-        std::swap_ranges(image.rgba.begin() + top * row, image.rgba.begin() + (top + 1) * row, image.rgba.begin() + bottom * row);
+        std::swap_ranges(image.rgba.begin() + top * row, image.rgba.begin() + (top + 1) * row,
+                         image.rgba.begin() + bottom * row);
     return image;
 }
 

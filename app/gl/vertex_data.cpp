@@ -13,14 +13,16 @@ namespace {
 
 constexpr GLuint kPosition = 0, kNormal = 1, kTint = 2, kSitePoint = 3, kSiteNormal = 4;  // scene.vert
 
-void bind_and_fill(const GlBuffer& buffer, GLenum kind, std::size_t bytes, const void* data, GLenum usage = GL_STATIC_DRAW) {
+void bind_and_fill(const GlBuffer& buffer, GLenum kind, std::size_t bytes, const void* data,
+                   GLenum usage = GL_STATIC_DRAW) {
     glBindBuffer(kind, buffer.id());
     glBufferData(kind, static_cast<GLsizeiptr>(bytes), data, usage);
 }
 
 void attribute(GLuint index, GLint components, std::size_t stride, std::size_t offset, GLuint divisor = 0) {
     glEnableVertexAttribArray(index);
-    glVertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), reinterpret_cast<const void*>(offset));
+    glVertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                          reinterpret_cast<const void*>(offset));
     glVertexAttribDivisor(index, divisor);
 }
 
@@ -37,9 +39,9 @@ std::vector<PointAndNormal> arrow_shape(int sides) {
     };
     constexpr float kSlant = ArrowProportions::kHeadRadius / ArrowProportions::kHeadLength;
     constexpr std::array<std::array<Ring, 2>, 3> kBands{{
-        {{{0.0f, 1.0f, 1.0f, 0.0f}, {1.0f, 1.0f, 1.0f, 0.0f}}},                                                            // shaft
-        {{{1.0f, ArrowProportions::kHeadRadius, 0.0f, -1.0f}, {1.0f, 0.0f, 0.0f, -1.0f}}},                                 // under the head
-        {{{1.0f, ArrowProportions::kHeadRadius, 1.0f, kSlant}, {2.0f, 0.0f, 1.0f, kSlant}}},                               // head
+        {{{0.0f, 1.0f, 1.0f, 0.0f}, {1.0f, 1.0f, 1.0f, 0.0f}}},                               // shaft
+        {{{1.0f, ArrowProportions::kHeadRadius, 0.0f, -1.0f}, {1.0f, 0.0f, 0.0f, -1.0f}}},    // under the head
+        {{{1.0f, ArrowProportions::kHeadRadius, 1.0f, kSlant}, {2.0f, 0.0f, 1.0f, kSlant}}},  // head
     }};
     std::vector<PointAndNormal> corners;
     for (const auto& [from, to] : kBands) {
@@ -53,7 +55,8 @@ std::vector<PointAndNormal> arrow_shape(int sides) {
             // A ring without radius closes the band to a point: one triangle of each quad is enough.
             const bool downward = from.axial < 0.0f;
             const auto add = [&](int a, int b, int c) {
-                for (const int k : {a, downward ? c : b, downward ? b : c}) corners.push_back(quad[static_cast<std::size_t>(k)]);
+                for (const int k : {a, downward ? c : b, downward ? b : c})
+                    corners.push_back(quad[static_cast<std::size_t>(k)]);
             };
             add(0, 1, 2);
             if (to.radius > 0.0f) add(0, 2, 3);

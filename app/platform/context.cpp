@@ -12,19 +12,20 @@ namespace normalscope {
 void prefer_quick_shader_compilation() { ::setenv("GALLIVM_PERF", "nopt", 0); }
 
 std::unique_ptr<Context> make_offscreen_context(ContextChoice kind) {
-
     if (kind == ContextChoice::Egl) {
         try {
             return make_egl_context();
         } catch (const ContextError& e) {
-            throw ContextError("no EGL context: " + std::string(e.what()) + "; install libegl1 with libgl1-mesa-dri, or use --context osmesa");
+            throw ContextError("no EGL context: " + std::string(e.what()) +
+                               "; install libegl1 with libgl1-mesa-dri, or use --context osmesa");
         }
     }
     try {
         return make_osmesa_context();
     } catch (const ContextError& osmesa) {
         if (kind == ContextChoice::Osmesa)
-            throw ContextError("no OSMesa context: " + std::string(osmesa.what()) + "; install libosmesa6, or use --context egl");
+            throw ContextError("no OSMesa context: " + std::string(osmesa.what()) +
+                               "; install libosmesa6, or use --context egl");
         try {
             return make_egl_context();
         } catch (const ContextError& egl) {

@@ -24,7 +24,8 @@ class Egl final : public Context {
 public:
     Egl() : library_(library_names()), get_(library_.function<Function(const char*)>("eglGetProcAddress")) {
         for (const EGLDisplay display : displays()) {
-            if (display == EGL_NO_DISPLAY || !egl<decltype(eglInitialize)>("eglInitialize")(display, nullptr, nullptr)) continue;
+            if (display == EGL_NO_DISPLAY || !egl<decltype(eglInitialize)>("eglInitialize")(display, nullptr, nullptr))
+                continue;
             display_ = display;
             if (create_context()) return;
             egl<decltype(eglTerminate)>("eglTerminate")(display);
@@ -73,8 +74,9 @@ private:
 
     bool create_context() {
         if (!egl<decltype(eglBindAPI)>("eglBindAPI")(EGL_OPENGL_API)) return false;
-        constexpr std::array kAttributes{EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3,
-                                         EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+        constexpr std::array kAttributes{
+            EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
         const auto create = egl<decltype(eglCreateContext)>("eglCreateContext");
         context_ = create(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kAttributes.data());
         return context_ != EGL_NO_CONTEXT;

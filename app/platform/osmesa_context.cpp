@@ -26,8 +26,9 @@ class Osmesa final : public Context {
 public:
     Osmesa() : library_(library_names()) {
         const auto create = library_.function<OsmesaContext(const int*, OsmesaContext)>("OSMesaCreateContextAttribs");
-        constexpr std::array kAttributes{kFormat, kRgba, kDepthBits, 0, kStencilBits, 0, kProfile, kCoreProfile,
-                                         kMajorVersion, 3, kMinorVersion, 3, 0};
+        constexpr std::array kAttributes{kFormat,  kRgba,        kDepthBits,    0, kStencilBits,  0,
+                                         kProfile, kCoreProfile, kMajorVersion, 3, kMinorVersion, 3,
+                                         0};
         context_ = create(kAttributes.data(), nullptr);
         if (!context_) throw ContextError("OSMesa cannot make an OpenGL 3.3 context");
         loader_ = library_.function<Function(const char*)>("OSMesaGetProcAddress");
@@ -38,7 +39,8 @@ public:
 
     void make_current() override {
         // Its own framebuffer is a formality: the renderer draws into one of its own.
-        const auto current = library_.function<unsigned char(OsmesaContext, void*, GLenum, int, int)>("OSMesaMakeCurrent");
+        const auto current =
+            library_.function<unsigned char(OsmesaContext, void*, GLenum, int, int)>("OSMesaMakeCurrent");
         if (!current(context_, pixels_.data(), GL_UNSIGNED_BYTE, kSide, kSide) || !gladLoadGL(loader_))
             throw ContextError("OSMesa: its OpenGL 3.3 context cannot be used");
     }

@@ -2,8 +2,8 @@
 
 #include "core/error.h"
 
-#include <glad/gl.h>
 #include <GLFW/glfw3.h>
+#include <glad/gl.h>
 
 #include <algorithm>
 #include <span>
@@ -30,8 +30,10 @@ GLFWmonitor* monitor_of(const WindowPlace& place) {
         glfwGetMonitorPos(monitor, &origin.x, &origin.y);
         const GLFWvidmode* mode = glfwGetVideoMode(monitor);
         if (!mode || !place.position) continue;
-        const int w = std::min(place.position->x + place.size.x, origin.x + mode->width) - std::max(place.position->x, origin.x);
-        const int h = std::min(place.position->y + place.size.y, origin.y + mode->height) - std::max(place.position->y, origin.y);
+        const int w =
+            std::min(place.position->x + place.size.x, origin.x + mode->width) - std::max(place.position->x, origin.x);
+        const int h =
+            std::min(place.position->y + place.size.y, origin.y + mode->height) - std::max(place.position->y, origin.y);
         if (w <= 0 || h <= 0 || w * h <= best_area) continue;
         best_area = w * h;
         best = monitor;
@@ -107,7 +109,8 @@ void Window::toggle_full_screen() {
     if (windowed_) {
         const WindowPlace back = *windowed_;
         windowed_.reset();
-        glfwSetWindowMonitor(window_, nullptr, back.position->x, back.position->y, back.size.x, back.size.y, GLFW_DONT_CARE);
+        glfwSetWindowMonitor(window_, nullptr, back.position->x, back.position->y, back.size.x, back.size.y,
+                             GLFW_DONT_CARE);
         return;
     }
     const WindowPlace now = place();

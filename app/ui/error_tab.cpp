@@ -82,8 +82,8 @@ void histogram_plot(const Look& look, const ErrorHistogram& histogram, const std
     plot.vertical(worst, Plot::Line::Solid, look.bad);
     plot.vertical(mean, Plot::Line::Dashed, look.text);
     if (!plot.hovered()) return;
-    const auto bin = std::min(static_cast<std::size_t>(plot.x_under_pointer() / histogram.bin_degrees),
-                              histogram.shares.size() - 1);
+    const auto bin =
+        std::min(static_cast<std::size_t>(plot.x_under_pointer() / histogram.bin_degrees), histogram.shares.size() - 1);
     const double from = histogram.bin_degrees * static_cast<double>(bin);
     ImGui::SetTooltip("%s° to %s°: %s %% of the normals", brief(from).c_str(),
                       brief(from + histogram.bin_degrees).c_str(), fixed(100.0 * histogram.shares[bin], 1).c_str());
@@ -91,10 +91,9 @@ void histogram_plot(const Look& look, const ErrorHistogram& histogram, const std
 
 void curve_plot(const Look& look, const ErrorTab& tab, const std::optional<double>& k) {
     const ImVec4 naive = to_imgui(rule_color(Rule::Naive));
-    const Plot plot(look, "curve",
-                    {.low = 1.0, .high = 100.0, .logarithmic = true, .ticks = kStretches, .title = "k = σmax/σmin"},
-                    {.high = 90.0, .ticks = kErrors, .unit = "°", .title = "worst angle between M n and (M⁻¹)ᵀ n"},
-                    kPlotHeight);
+    const Plot plot(
+        look, "curve", {.low = 1.0, .high = 100.0, .logarithmic = true, .ticks = kStretches, .title = "k = σmax/σmin"},
+        {.high = 90.0, .ticks = kErrors, .unit = "°", .title = "worst angle between M n and (M⁻¹)ᵀ n"}, kPlotHeight);
     ImDrawList& list = plot.list();
     constexpr int kSteps = 64;
     for (int i = 0; i <= kSteps; ++i) {
@@ -117,11 +116,11 @@ void curve_plot(const Look& look, const ErrorTab& tab, const std::optional<doubl
     // In the free corner, below the curve.
     const std::string here = "k = " + fixed(*k, 2) + (*k > 100.0 ? " →" : "");
     const ImFont* font = look.fonts.strong;
-    list.AddText(font, font->FontSize,
-                 {std::round(plot.high().x - look.px(10) -
-                             font->CalcTextSizeA(font->FontSize, 1e9f, 0, here.c_str()).x),
-                  plot.high().y - font->FontSize - look.px(8)},
-                 packed(look.text), here.c_str());
+    list.AddText(
+        font, font->FontSize,
+        {std::round(plot.high().x - look.px(10) - font->CalcTextSizeA(font->FontSize, 1e9f, 0, here.c_str()).x),
+         plot.high().y - font->FontSize - look.px(8)},
+        packed(look.text), here.c_str());
     if (plot.hovered()) {
         const double under = plot.x_under_pointer();
         ImGui::SetTooltip("k = %s: at most %s", fixed(under, 2).c_str(),
@@ -131,7 +130,8 @@ void curve_plot(const Look& look, const ErrorTab& tab, const std::optional<doubl
 
 void curve_key(const Look& look) {
     const ImVec4 naive = to_imgui(rule_color(Rule::Naive));
-    line_key(look, Plot::Line::Solid, look.text, "atan k − atan 1/k", "The closed form, from Kantorovich's inequality.");
+    line_key(look, Plot::Line::Solid, look.text, "atan k − atan 1/k",
+             "The closed form, from Kantorovich's inequality.");
     const auto dot = [&](bool filled, const char* words, const char* about) {
         ImGui::SameLine(0, look.px(14));
         const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -180,8 +180,8 @@ void draw_error_tab(const Scene& scene, ErrorTab& tab, const SideContext& contex
     measure(tab, scene, m, context.frame);
     const NormalMatrices& matrices = m.normal_matrices_by_rule();
     // The closed form is about M n, and says nothing of other mistakes.
-    const bool naive = tab.measured_map && tab.measured_map->w == 0.0 &&
-                       tab.measured_map->matrix == glm::dmat4(matrices.naive);
+    const bool naive =
+        tab.measured_map && tab.measured_map->w == 0.0 && tab.measured_map->matrix == glm::dmat4(matrices.naive);
     const bool open = section(look, "Over the surface");
     const std::string what(text(scene.mistake).formula);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(what.c_str()).x);
@@ -192,7 +192,8 @@ void draw_error_tab(const Scene& scene, ErrorTab& tab, const SideContext& contex
                            context.status.errors);
         else
             remark(look, look.bad,
-                   "There is no (M⁻¹)ᵀ n to compare with: M has no inverse. Where M has rank 2, the cofactor still gives a "
+                   "There is no (M⁻¹)ᵀ n to compare with: M has no inverse. Where M has rank 2, the cofactor still "
+                   "gives a "
                    "normal, and M n lies in the flattened surface.");
     }
     if (!section(look, "Against the stretch")) return;

@@ -81,7 +81,10 @@ void Interface::State::watch_the_clock() {
 }
 
 std::vector<SideTab> Interface::State::tabs() {
-    return {{kTabIds[kDerivation], "Derivation", "Why the inverse transpose? Line by line, with the scene's numbers. (D)", {}},
+    return {{kTabIds[kDerivation],
+             "Derivation",
+             "Why the inverse transpose? Line by line, with the scene's numbers. (D)",
+             {}},
             {kTabIds[1], "Stack", "The transforms one by one: their inverses, their products, and the wrong orders.",
              [this](Scene& scene, const SideContext& context) { draw_stack_tab(scene, stack, context); }},
             {kTabIds[2], "Maps", "The classes of maps, and what each does to normals.",

@@ -40,7 +40,7 @@ std::array<Cell, 4> cells(const MapClaims& c) {
         length.word = "not";
     const Cell exists{c.inverse_transpose_exists, c.inverse_transpose_exists ? "exists" : "none"};
     constexpr std::array<const char*, 4> kGives{"same", "opposite", "the only", "zero"};
-    const Cell gives{c.cofactor == CofactorGives::Zero            ? std::optional(false)
+    const Cell gives{c.cofactor == CofactorGives::Zero                ? std::optional(false)
                      : c.cofactor == CofactorGives::OppositeDirection ? std::nullopt
                                                                       : std::optional(true),
                      kGives.at(static_cast<std::size_t>(c.cofactor))};
@@ -73,8 +73,11 @@ void table_row(const Look& look, const MapClassRow& row) {
         const Cell& cell = claims[i];
         const float x = low.x + look.px(kColumns[i]);
         const ImVec4 mark = !cell.good ? look.dim : *cell.good ? look.good : look.bad;
-        list.AddText(look.fonts.body, look.fonts.body->FontSize, {x, top}, packed(row.contains_m ? mark : faded(mark, 0.7f)),
-                     !cell.good ? "·" : *cell.good ? "✓" : "✗");
+        list.AddText(look.fonts.body, look.fonts.body->FontSize, {x, top},
+                     packed(row.contains_m ? mark : faded(mark, 0.7f)),
+                     !cell.good   ? "·"
+                     : *cell.good ? "✓"
+                                  : "✗");
         list.AddText(small, small->FontSize, {x + look.px(16), top + look.px(1)}, packed(ink), cell.word.c_str());
     }
 }
@@ -132,8 +135,8 @@ void how_sure(const Look& look, const MapClaims& c) {
     else if (*c.digits_lost > 8.0)
         sure += "So badly conditioned, the last digits of (M⁻¹)ᵀ are noise.";
     else
-        sure += "What is said of (M⁻¹)ᵀ is sure to " + std::to_string(static_cast<int>(15.0 - std::ceil(*c.digits_lost))) +
-                " digits or more.";
+        sure += "What is said of (M⁻¹)ᵀ is sure to " +
+                std::to_string(static_cast<int>(15.0 - std::ceil(*c.digits_lost))) + " digits or more.";
     wrapped(look, look.dim, sure);
 }
 

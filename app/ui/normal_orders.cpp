@@ -132,8 +132,9 @@ void rotation_and_stretch(const Look& look, Scene& scene, StackTab& tab) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(4), look.px(1)));
     ImGui::Checkbox("show the stretch axes in the picture", &scene.show.stretch_axes);
     ImGui::PopStyleVar();
-    tip(look, "The perpendicular directions that M only stretches, and halfway between the longest and the shortest "
-              "the normals that the naive rule treats worst.");
+    tip(look,
+        "The perpendicular directions that M only stretches, and halfway between the longest and the shortest "
+        "the normals that the naive rule treats worst.");
 }
 
 }  // namespace normalscope

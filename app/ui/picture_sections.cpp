@@ -62,7 +62,7 @@ void arrow_kinds(const Look& look, Scene& scene, const Frame& frame) {
 
 struct Toggle {
     const char *label, *about;
-    bool Shown::*value;
+    bool Shown::* value;
 };
 
 }  // namespace
@@ -147,11 +147,13 @@ void picture_section(Scene& scene, const PanelContext& context) {
     }
     ImGui::SameLine(left + half + gap);
     ImGui::Checkbox("renormalise", &scene.renormalise);
-    tip(look, "Make the normals unit again at each pixel, after they were interpolated between the vertices: in between "
-              "they come out too short.");
+    tip(look,
+        "Make the normals unit again at each pixel, after they were interpolated between the vertices: in between "
+        "they come out too short.");
     ImGui::Checkbox("cull backs", &scene.cull);
-    tip(look, "Leave out the triangles whose winding shows their back, as many programs do to save time: a reflection "
-              "turns the winding over, and what is left is the far side.");
+    tip(look,
+        "Leave out the triangles whose winding shows their back, as many programs do to save time: a reflection "
+        "turns the winding over, and what is left is the far side.");
     ImGui::PopStyleVar();
 
     dim_text(look, "light from");

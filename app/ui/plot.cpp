@@ -19,7 +19,8 @@ double share(const PlotAxis& axis, double value) {
 void stroke(const Look& look, ImDrawList& list, ImVec2 from, ImVec2 to, Plot::Line line, const ImVec4& ink) {
     const float weight = look.px(2), length = std::hypot(to.x - from.x, to.y - from.y);
     if (line == Plot::Line::Solid || length <= 0.0f) return list.AddLine(from, to, packed(ink), weight);
-    const float on = line == Plot::Line::Dashed ? look.px(7) : look.px(2), off = look.px(line == Plot::Line::Dashed ? 4 : 3);
+    const float on = line == Plot::Line::Dashed ? look.px(7) : look.px(2),
+                off = look.px(line == Plot::Line::Dashed ? 4 : 3);
     for (float s = 0.0f; s < length; s += on + off) {
         const float a = s / length, b = std::min(s + on, length) / length;
         list.AddLine({from.x + a * (to.x - from.x), from.y + a * (to.y - from.y)},

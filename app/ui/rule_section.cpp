@@ -134,7 +134,8 @@ void mistake_chooser(Scene& scene, const PanelContext& context) {
         }
         ImGui::EndCombo();
     } else {
-        tip(look, "What stands in the naive rule's place, as the vermillion arrows: another mistake that programs make.");
+        tip(look,
+            "What stands in the naive rule's place, as the vermillion arrows: another mistake that programs make.");
     }
     if (plain) return;
     ImGui::PushFont(look.fonts.small);

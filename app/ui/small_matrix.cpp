@@ -81,12 +81,12 @@ void row_of_matrices(const Look& look, std::span<const SmallMatrix> matrices) {
         const auto extent = [&](const char* text) { return font->CalcTextSizeA(font->FontSize, 1e9f, 0, text); };
         const float middle = (top + from.y + height) / 2;
         if (*m.sign)
-            list.AddText(look.fonts.strong, look.fonts.strong->FontSize,
-                         {std::round(x - gap / 2 - look.fonts.strong
-                                                           ->CalcTextSizeA(look.fonts.strong->FontSize, 1e9f, 0, m.sign)
-                                                           .x / 2),
-                          std::round(middle - look.fonts.strong->FontSize / 2)},
-                         packed(look.dim), m.sign);
+            list.AddText(
+                look.fonts.strong, look.fonts.strong->FontSize,
+                {std::round(x - gap / 2 -
+                            look.fonts.strong->CalcTextSizeA(look.fonts.strong->FontSize, 1e9f, 0, m.sign).x / 2),
+                 std::round(middle - look.fonts.strong->FontSize / 2)},
+                packed(look.dim), m.sign);
         ImGui::SetCursorScreenPos({x, from.y});
         ImGui::Dummy({width, height});
         tip(look, m.about);
@@ -129,7 +129,8 @@ void remark(const Look& look, const ImVec4& stripe, const std::string& text) {
 
 void reflection_remark(const Look& look) {
     remark(look, to_imgui(rule_color(Rule::Cofactor)),
-           "det M < 0: (M⁻¹)ᵀ n keeps pointing outward, as gradients do; cof(M) n follows the winding, which M turns over. "
+           "det M < 0: (M⁻¹)ᵀ n keeps pointing outward, as gradients do; cof(M) n follows the winding, which M turns "
+           "over. "
            "Each is right for its own question.");
 }
 

@@ -90,7 +90,7 @@ void edit(const Look& look, Translate& t, float width, StackMemory&) {
 void edit(const Look& look, Shear& s, float width, StackMemory&) {
     struct Part {
         const char *letter, *id, *about;
-        double Shear::*value;
+        double Shear::* value;
     };
     static constexpr std::array<Part, 6> kParts{
         {{"xy", "##xy", "x slides along with y: x' = x + xy·y + xz·z", &Shear::xy},
@@ -153,9 +153,7 @@ std::string summary(const StackEntry& entry) {
 
 StackEntry neutral(const StackEntry& entry) {
     return std::visit(Overload{
-                          [](const Rotate& r) -> StackEntry {
-                              return Rotate{r.axis, 0.0};
-                          },
+                          [](const Rotate& r) -> StackEntry { return Rotate{r.axis, 0.0}; },
                           []<class E>(const E&) -> StackEntry { return E{}; },
                       },
                       entry);

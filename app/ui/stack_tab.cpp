@@ -106,8 +106,8 @@ void stack_entries(const Look& look, const Scene& scene, StackTab& tab) {
 void stack_products(const Look& look, const Scene& scene, StackTab& tab) {
     if (!section(look, "Composite of inverses") || scene.stack.empty()) return;
     const std::size_t count = scene.stack.size();
-    const double position = std::min(scene.stack_position.value_or(static_cast<double>(count)),
-                                     static_cast<double>(count));
+    const double position =
+        std::min(scene.stack_position.value_or(static_cast<double>(count)), static_cast<double>(count));
     const auto whole = static_cast<std::size_t>(position);
     if (whole == 0) return wrapped(look, look.dim, "No entry acts in full yet: M = I.");
     const EntryAlgebra& last = tab.algebra[whole - 1];
@@ -124,9 +124,9 @@ void stack_products(const Look& look, const Scene& scene, StackTab& tab) {
          {"(M⁻¹)ᵀ", last.inverted_product, right, "The inverse of the composite: first the product, then inverted."}}};
     row_of_matrices(look, matrices);
     if (!last.apart) {
-        const auto none = std::ranges::find_if(tab.algebra.begin(),
-                                               tab.algebra.begin() + static_cast<std::ptrdiff_t>(whole),
-                                               [](const EntryAlgebra& a) { return !a.inverse; });
+        const auto none =
+            std::ranges::find_if(tab.algebra.begin(), tab.algebra.begin() + static_cast<std::ptrdiff_t>(whole),
+                                 [](const EntryAlgebra& a) { return !a.inverse; });
         const auto which = none - tab.algebra.begin() + 1;
         return remark(look, look.bad,
                       static_cast<std::size_t>(which) <= whole
@@ -139,7 +139,8 @@ void stack_products(const Look& look, const Scene& scene, StackTab& tab) {
     if (apart.largest == 0.0) return remark(look, look.good, "✓ The two are equal, to the last digit.");
     remark(look, apart.within_rounding ? look.good : look.bad,
            std::string(apart.within_rounding ? "✓ The two are equal but for rounding: " : "The two differ by ") +
-               fixed_unless_small(apart.largest, false) + " at most, " + fixed_unless_small(apart.relative, false) + " of the largest entry.");
+               fixed_unless_small(apart.largest, false) + " at most, " + fixed_unless_small(apart.relative, false) +
+               " of the largest entry.");
 }
 
 void draw_stack_tab(Scene& scene, StackTab& tab, const SideContext& context) {

@@ -3,8 +3,8 @@
 #include "core/error.h"
 #include "core/polygons.h"
 
-#include <glm/trigonometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 
@@ -20,7 +20,8 @@ TEST(Triangulate, CoversThePolygon) {
         std::vector<glm::dvec2> flat;
         std::vector<glm::dvec3> ring;
         for (int k = 0; k < n; ++k) {
-            const double angle = 2.0 * std::acos(-1.0) * (k + random.uniform(0.0, n == 3 ? 0.4 : 0.9)) / n, radius = random.uniform(0.05, 1.0);
+            const double angle = 2.0 * std::acos(-1.0) * (k + random.uniform(0.0, n == 3 ? 0.4 : 0.9)) / n,
+                         radius = random.uniform(0.05, 1.0);
             flat.push_back(radius * glm::dvec2(std::cos(angle), std::sin(angle)));
             ring.push_back(plane * glm::dvec3(flat.back(), 0.0) + glm::dvec3(3, 4, 5));
         }
@@ -80,10 +81,14 @@ const std::string kPlyHeader =
     "property list uchar int vertex_indices\nproperty uchar flags\nend_header\n";
 
 TEST(DamagedFile, Obj) {
-    survives(51, "v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nv 2 2 2\nvn 0 0 1\nvn 1 0 0\nf 1//1 2//1 3//2 4//1\nf -1 1/1 2/2/2\nf 1 2 3 4 5\n", read_obj);
+    survives(51,
+             "v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nv 2 2 2\nvn 0 0 1\nvn 1 0 0\nf 1//1 2//1 3//2 4//1\nf -1 1/1 "
+             "2/2/2\nf 1 2 3 4 5\n",
+             read_obj);
 }
 TEST(DamagedFile, AsciiPly) {
-    survives(52, "ply\nformat ascii" + kPlyHeader + "0 0 0 1\n1 0 0 2\n1 1 0.5 3\n0 1 0 4\n4 0 1 2 3 0\n3 0 1 2 7\n", read_ply);
+    survives(52, "ply\nformat ascii" + kPlyHeader + "0 0 0 1\n1 0 0 2\n1 1 0.5 3\n0 1 0 4\n4 0 1 2 3 0\n3 0 1 2 7\n",
+             read_ply);
 }
 TEST(DamagedFile, BinaryPly) {
     std::string body;
@@ -99,7 +104,8 @@ TEST(DamagedFile, BinaryPly) {
     survives(53, "ply\nformat binary_little_endian" + kPlyHeader + body, read_ply);
 }
 TEST(DamagedFile, AsciiStl) {
-    const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+    const std::string facet =
+        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
     survives(54, "solid s\n" + facet + facet + "endsolid s\n", read_stl);
 }
 TEST(DamagedFile, BinaryStl) {

@@ -59,6 +59,8 @@ private:
 };
 
 /// The Frobenius norm: no vector grows by more.
-inline double norm(const glm::dmat3& m) { return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2])); }
+inline double norm(const glm::dmat3& m) {
+    return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
+}
 
 }  // namespace normalscope

@@ -15,13 +15,15 @@ namespace {
 glm::dmat3 difficult_matrix(Random& random) {
     glm::dmat3 m = random.matrix();
     switch (random.below(8)) {
-        case 0: m[2] = m[0] + m[1]; break;                                  // rank 2
-        case 1: m = glm::outerProduct(m[0], m[1]); break;                   // rank 1
-        case 2: m = glm::dmat3(glm::normalize(m[0]), {}, {}); break;        // zero columns
-        case 3: m[1] *= 1e-9, m[2] *= 1e-14; break;                         // ill-conditioned
+        case 0: m[2] = m[0] + m[1]; break;                            // rank 2
+        case 1: m = glm::outerProduct(m[0], m[1]); break;             // rank 1
+        case 2: m = glm::dmat3(glm::normalize(m[0]), {}, {}); break;  // zero columns
+        case 3: m[1] *= 1e-9, m[2] *= 1e-14; break;                   // ill-conditioned
         case 4: m *= 1e-40; break;
         case 5: m *= 1e40; break;
-        case 6: m = glm::dmat3(matrix(StackEntry{Rotate{random.direction(), random.uniform(0, 360)}})); break;  // σ all 1
+        case 6:
+            m = glm::dmat3(matrix(StackEntry{Rotate{random.direction(), random.uniform(0, 360)}}));
+            break;  // σ all 1
         default: break;
     }
     return m;

@@ -46,9 +46,11 @@ TEST(ErrorMeasures, AMistakeMayTurnNormalsFartherThanARightAngle) {
 
 // Whatever M is: askew, mirrored, rigid, or without an inverse.
 TEST(ErrorMeasures, MeasuredPointsMeetTheClosedForm) {
-    const glm::dmat3 askew = glm::dmat3(glm::rotate(glm::dmat4(1.0), 0.7, {1.0, 2.0, 3.0})) * glm::dmat3(1, 0, 0, 0.8, 1, 0, 0, 0.3, -2);
-    for (const glm::dmat3& m3 : {askew, glm::dmat3(1.0), glm::dmat3(0.5, 0, 0, 0, 2, 0, 0, 0, 1),
-                                 glm::dmat3(1, 0, 0, 0, 1, 0, 0, 0, 0), glm::dmat3(0.0), glm::dmat3(1e-8, 0, 0, 0, 1, 0, 0, 0, 1e8)})
+    const glm::dmat3 askew =
+        glm::dmat3(glm::rotate(glm::dmat4(1.0), 0.7, {1.0, 2.0, 3.0})) * glm::dmat3(1, 0, 0, 0.8, 1, 0, 0, 0.3, -2);
+    for (const glm::dmat3& m3 :
+         {askew, glm::dmat3(1.0), glm::dmat3(0.5, 0, 0, 0, 2, 0, 0, 0, 1), glm::dmat3(1, 0, 0, 0, 1, 0, 0, 0, 0),
+          glm::dmat3(0.0), glm::dmat3(1e-8, 0, 0, 0, 1, 0, 0, 0, 1e8)})
         for (const MeasuredError& measured : measured_errors(m3)) {
             EXPECT_LE(measured.degrees, error_bound_degrees(measured.k) + 1e-6) << measured.k;
             EXPECT_NEAR(measured.degrees, error_bound_degrees(measured.k), 1.0) << measured.k;

@@ -3,8 +3,8 @@
 #include "core/error.h"
 #include "core/file.h"
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -56,7 +56,8 @@ void expect_sound(const Mesh& mesh) {
     double farthest = 0.0;
     for (const glm::dvec3& p : mesh.positions) farthest = std::max(farthest, glm::length(p));
     EXPECT_NEAR(farthest, 1.0, 1e-12);
-    for (const glm::dvec3& n : mesh.normals) EXPECT_TRUE(n == glm::dvec3(0.0) || std::abs(glm::length(n) - 1.0) < 1e-12);
+    for (const glm::dvec3& n : mesh.normals)
+        EXPECT_TRUE(n == glm::dvec3(0.0) || std::abs(glm::length(n) - 1.0) < 1e-12);
     for (const glm::uvec3& t : mesh.triangles) EXPECT_LT(std::max({t.x, t.y, t.z}), mesh.positions.size());
     EXPECT_TRUE(mesh.face_of_triangle.empty() || mesh.face_of_triangle.size() == mesh.triangles.size());
     EXPECT_TRUE(std::ranges::is_sorted(mesh.face_of_triangle));
@@ -79,7 +80,8 @@ TEST_F(MeshFile, ObjNormalsAreThoseOfTheFile) {
     EXPECT_EQ(mesh.positions.size(), 3u);
     for (const glm::dvec3& n : mesh.normals) EXPECT_LT(glm::length(n - glm::dvec3(0, 0.6, 0.8)), 1e-7);
     // A corner with two normals is two vertices, and one that lacks a normal gets a computed one.
-    const Mesh crease = load("b.obj", kTriangle + "v 1 1 0\nvn 0 0 1\nvn 1 0 0\nvn 0 0 0\nf 1//1 2//1 3//1\nf 2//2 4//3 3//1\n");
+    const Mesh crease =
+        load("b.obj", kTriangle + "v 1 1 0\nvn 0 0 1\nvn 1 0 0\nvn 0 0 0\nf 1//1 2//1 3//1\nf 2//2 4//3 3//1\n");
     expect_sound(crease);
     EXPECT_EQ(crease.positions.size(), 5u);
     EXPECT_EQ(crease.note, "b.obj lacks 1 usable normal: computed, area-weighted");
@@ -88,14 +90,12 @@ TEST_F(MeshFile, ObjNormalsAreThoseOfTheFile) {
 }
 
 TEST_F(MeshFile, ObjOddities) {
-    for (const std::string& text : {
-             kTriangle + "f -3 -2 -1\n",
-             kTriangle + "f 1/1 2/2 3/3\n",
-             kTriangle + "f 1 2 3",
-             std::string("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n"),
-             std::string("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r"),
-             "mtllib missing.mtl\no thing\ng a b\ns off\nusemtl red\n" + kTriangle + "f 1 2 3\nl 1 2\n",
-             std::string("# v nan\n  v 0 0 0 1 0.5 0.5 0.5 # red\n\tv\t1 0 0\nv +.1e1 1.E0 0\n\n  f 1 2 3\n")}) {
+    for (const std::string& text :
+         {kTriangle + "f -3 -2 -1\n", kTriangle + "f 1/1 2/2 3/3\n", kTriangle + "f 1 2 3",
+          std::string("v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n"),
+          std::string("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r"),
+          "mtllib missing.mtl\no thing\ng a b\ns off\nusemtl red\n" + kTriangle + "f 1 2 3\nl 1 2\n",
+          std::string("# v nan\n  v 0 0 0 1 0.5 0.5 0.5 # red\n\tv\t1 0 0\nv +.1e1 1.E0 0\n\n  f 1 2 3\n")}) {
         const Mesh mesh = load("a.obj", text);
         expect_sound(mesh);
         EXPECT_EQ(mesh.triangles, (std::vector<glm::uvec3>{{0, 1, 2}})) << text;
@@ -117,7 +117,8 @@ TEST_F(MeshFile, ObjPolygonsKeepTheirIdentity) {
     double pentagon = 0.0, quad = 0.0;
     for (std::size_t i = 1; i < 6; ++i) {
         const glm::uvec3 t = mesh.triangles[i];
-        (i < 4 ? pentagon : quad) += glm::cross(mesh.positions[t.y] - mesh.positions[t.x], mesh.positions[t.z] - mesh.positions[t.x]).z;
+        (i < 4 ? pentagon : quad) +=
+            glm::cross(mesh.positions[t.y] - mesh.positions[t.x], mesh.positions[t.z] - mesh.positions[t.x]).z;
     }
     EXPECT_NEAR(pentagon / quad, -10.0 / 16.0, 1e-12);  // no triangle of the pentagon is turned over
 }
@@ -144,10 +145,12 @@ TEST_F(MeshFile, LargeFilesAreReadInPartsAlike) {
     std::string vertices, faces, relative;
     const int n = 90'000;
     for (int i = 0; i < n; ++i) {
-        vertices += "v " + std::to_string(i % 251) + " " + std::to_string(i / 251) + " " + std::to_string(i * 7 % 17) + "\n";
+        vertices +=
+            "v " + std::to_string(i % 251) + " " + std::to_string(i / 251) + " " + std::to_string(i * 7 % 17) + "\n";
         if (i < 252) continue;
         faces += "f " + std::to_string(i) + " " + std::to_string(i - 1) + " " + std::to_string(i - 251) + "\n";
-        relative += "f " + std::to_string(i - n - 1) + " " + std::to_string(i - n - 2) + " " + std::to_string(i - n - 252) + "\n";
+        relative += "f " + std::to_string(i - n - 1) + " " + std::to_string(i - n - 2) + " " +
+                    std::to_string(i - n - 252) + "\n";
     }
     const Mesh one = load("a.obj", vertices + faces), two = load("b.obj", vertices + relative);
     EXPECT_GT(vertices.size() + faces.size(), std::size_t{2} << 20);
@@ -166,9 +169,11 @@ TEST_F(MeshFile, BadObj) {
         EXPECT_SAYS(error("a.obj", kTriangle + "f 1 2 3\nf 1 2 " + index + "\n"), "face 2 refers to a vertex");
     EXPECT_SAYS(error("a.obj", kTriangle + "vn 0 0 1\nf 1//1 2//1 3//2\n"), "refers to a normal");
     for (const char* number : {"nan", "NaN", "inf", "-inf", "x", "0x1", "1,5", ""})
-        EXPECT_SAYS(error("a.obj", "v 0 0 0\nv 1 0 " + std::string(number) + "\n" + kTriangle + "f 1 2 3\n"), "line 2: a vertex needs three numbers");
+        EXPECT_SAYS(error("a.obj", "v 0 0 0\nv 1 0 " + std::string(number) + "\n" + kTriangle + "f 1 2 3\n"),
+                    "line 2: a vertex needs three numbers");
     for (const char* number : {"1e300", "-1e300", "1e31"})
-        EXPECT_SAYS(error("a.obj", "v 0 0 0\nv 1 0 " + std::string(number) + "\n" + kTriangle + "f 1 2 3\n"), "vertex 2 has a coordinate");
+        EXPECT_SAYS(error("a.obj", "v 0 0 0\nv 1 0 " + std::string(number) + "\n" + kTriangle + "f 1 2 3\n"),
+                    "vertex 2 has a coordinate");
     EXPECT_SAYS(error("a.obj", "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n"), "no area");
     std::string garbage;
     for (unsigned i = 0; i < 100'000; ++i) garbage += static_cast<char>(i * 2654435761u >> 24);
@@ -184,8 +189,11 @@ TEST_F(MeshFile, BadObj) {
 
 TEST_F(MeshFile, WhatIsNoReadableFile) {
     fs::create_directory(path("folder.obj"));
-    for (const auto& [name, says] : std::vector<std::pair<std::string, std::string>>{
-             {"folder.obj", "folder"}, {"missing.stl", "No such file"}, {"a.txt", ".obj, .ply or .stl"}, {"noending", ".obj, .ply or .stl"}})
+    for (const auto& [name, says] :
+         std::vector<std::pair<std::string, std::string>>{{"folder.obj", "folder"},
+                                                          {"missing.stl", "No such file"},
+                                                          {"a.txt", ".obj, .ply or .stl"},
+                                                          {"noending", ".obj, .ply or .stl"}})
         try {
             load_mesh(path(name));
             ADD_FAILURE() << name;
@@ -214,7 +222,8 @@ const std::string kAsciiSquare = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
 
 std::string binary_square(bool big_endian, float first = 0.0f, int last_index = 3) {
     std::string body;
-    for (const float f : {first, 0.f, 0.f, 1.f, 0.f, 0.f, 1.f, 1.f, 0.f, 0.f, 1.f, 0.f}) body += bytes_of(f, big_endian);
+    for (const float f : {first, 0.f, 0.f, 1.f, 0.f, 0.f, 1.f, 1.f, 0.f, 0.f, 1.f, 0.f})
+        body += bytes_of(f, big_endian);
     body += '\4';
     for (const int i : {0, 1, 2, last_index}) body += bytes_of(i, big_endian);
     return body;
@@ -232,10 +241,11 @@ TEST_F(MeshFile, PlyOfEveryFormat) {
         EXPECT_EQ(mesh.normals[0], glm::dvec3(0, 0, 1));
         EXPECT_SAYS(mesh.note, "no normals");
     }
-    const Mesh mesh = load("n.ply",
-                           "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
-                           "property float nx\nproperty float ny\nproperty float nz\nproperty uchar red\nelement face 1\n"
-                           "property list uchar uint vertex_index\nend_header\n0 0 0 0 0 2 255\n1 0 0 0 3 4 0\n0 1 0 0 0 0 1\n3 0 1 2\n");
+    const Mesh mesh = load(
+        "n.ply",
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
+        "property float nx\nproperty float ny\nproperty float nz\nproperty uchar red\nelement face 1\n"
+        "property list uchar uint vertex_index\nend_header\n0 0 0 0 0 2 255\n1 0 0 0 3 4 0\n0 1 0 0 0 0 1\n3 0 1 2\n");
     expect_sound(mesh);
     EXPECT_EQ(mesh.normal_source, NormalSource::File);
     EXPECT_LT(glm::length(mesh.normals[1] - glm::dvec3(0, 0.6, 0.8)), 1e-7);
@@ -255,12 +265,17 @@ TEST_F(MeshFile, BadPly) {
         EXPECT_SAYS(error("huge.ply", ply_header(format, "99999999999999999999999", "1") + body), "count");
         EXPECT_SAYS(error("huge.ply", ply_header(format, "-4", "1") + body), "count");
     }
-    EXPECT_SAYS(error("list.ply", ply_header("ascii", "4", "1") + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4000000000 0 1 2 3\n"), "entry 1 of \"face\"");
-    EXPECT_SAYS(error("nan.ply", ply_header("ascii", "4", "1") + "nan" + kAsciiSquare.substr(1)), "entry 1 of \"vertex\"");
-    EXPECT_SAYS(error("nan.ply", ply_header("binary_little_endian", "4", "1") + binary_square(false, std::numeric_limits<float>::quiet_NaN())),
+    EXPECT_SAYS(error("list.ply", ply_header("ascii", "4", "1") + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4000000000 0 1 2 3\n"),
+                "entry 1 of \"face\"");
+    EXPECT_SAYS(error("nan.ply", ply_header("ascii", "4", "1") + "nan" + kAsciiSquare.substr(1)),
+                "entry 1 of \"vertex\"");
+    EXPECT_SAYS(error("nan.ply", ply_header("binary_little_endian", "4", "1") +
+                                     binary_square(false, std::numeric_limits<float>::quiet_NaN())),
                 "vertex 1 has a coordinate");
-    EXPECT_SAYS(error("range.ply", ply_header("binary_little_endian", "4", "1") + binary_square(false, 0.f, 4)), "face 1 refers to a vertex");
-    EXPECT_SAYS(error("range.ply", ply_header("binary_little_endian", "4", "1") + binary_square(false, 0.f, -1)), "face 1 refers to a vertex");
+    EXPECT_SAYS(error("range.ply", ply_header("binary_little_endian", "4", "1") + binary_square(false, 0.f, 4)),
+                "face 1 refers to a vertex");
+    EXPECT_SAYS(error("range.ply", ply_header("binary_little_endian", "4", "1") + binary_square(false, 0.f, -1)),
+                "face 1 refers to a vertex");
     EXPECT_SAYS(error("points.ply", ply_header("ascii", "4", "0") + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n"), "only points");
     EXPECT_SAYS(error("empty.ply", ""), "empty");
 }
@@ -276,7 +291,8 @@ std::string ascii_stl() {
     std::string text = "solid tetrahedron\n";
     for (const auto& t : kTetrahedron) {
         text += "facet normal 0 0 0\n outer loop\n";
-        for (const glm::vec3& p : t) text += "  vertex " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
+        for (const glm::vec3& p : t)
+            text += "  vertex " + std::to_string(p.x) + " " + std::to_string(p.y) + " " + std::to_string(p.z) + "\n";
         text += " endloop\nendfacet\n";
     }
     return text + "endsolid tetrahedron\n";
@@ -288,7 +304,8 @@ std::string binary_stl(std::uint32_t claimed, float first = 0.0f) {
     for (const auto& t : kTetrahedron) {
         for (int i = 0; i < 3; ++i) bytes += bytes_of(0.0f);
         for (const glm::vec3& p : t)
-            for (int i = 0; i < 3; ++i) bytes += bytes_of(&t == &kTetrahedron[0] && &p == &t[0] && i == 0 ? first : p[i]);
+            for (int i = 0; i < 3; ++i)
+                bytes += bytes_of(&t == &kTetrahedron[0] && &p == &t[0] && i == 0 ? first : p[i]);
         bytes += std::string(2, '\0');
     }
     return bytes;
@@ -301,7 +318,8 @@ TEST_F(MeshFile, StlIsWeldedAndSmooth) {
         EXPECT_EQ(mesh.positions.size(), 4u);
         EXPECT_EQ(mesh.triangles.size(), 4u);
         EXPECT_EQ(mesh.note, "a.STL has no vertex normals: computed, area-weighted");
-        EXPECT_LT(glm::length(mesh.normals[0] + glm::normalize(glm::dvec3(1))), 1e-12);  // the three faces at the origin
+        EXPECT_LT(glm::length(mesh.normals[0] + glm::normalize(glm::dvec3(1))),
+                  1e-12);  // the three faces at the origin
     }
 }
 

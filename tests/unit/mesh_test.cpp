@@ -3,8 +3,8 @@
 #include "core/shapes.h"
 #include "core/surface.h"
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,8 @@ TEST(Thinned, SpreadsEvenly) {
             EXPECT_GT(gap, 0.8 * std::sqrt(area / static_cast<double>(limit)));
             // Nowhere is there room for one more.
             for (std::size_t i = 0; i < all.size(); i += 7)
-                EXPECT_TRUE(std::ranges::any_of(few, [&](const Site& s) { return glm::length(s.point.xyz - all[i].point.xyz) < 1.05 * gap; }));
+                EXPECT_TRUE(std::ranges::any_of(
+                    few, [&](const Site& s) { return glm::length(s.point.xyz - all[i].point.xyz) < 1.05 * gap; }));
         }
     }
 }
@@ -86,7 +87,8 @@ TEST(Surface, FlatShadingGivesEachFaceItsNormal) {
     EXPECT_EQ(flat.face_count(), 12u);
     for (std::size_t i = 0; i < flat.triangles.size(); ++i) {
         const glm::uvec3 t = flat.triangles[i];
-        const glm::dvec3 n = glm::cross(flat.positions[t.y] - flat.positions[t.x], flat.positions[t.z] - flat.positions[t.x]);
+        const glm::dvec3 n =
+            glm::cross(flat.positions[t.y] - flat.positions[t.x], flat.positions[t.z] - flat.positions[t.x]);
         for (int k = 0; k < 3; ++k) EXPECT_LT(glm::length(glm::normalize(n) - flat.normals[t[k]]), 1e-14);
     }
 }

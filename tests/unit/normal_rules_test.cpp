@@ -32,8 +32,8 @@ TEST(NormalRules, ScaleStretchesNormalsTheOppositeWay) {
 
 TEST(NormalRules, NaiveIsRightForRigidAndUniformMaps) {
     const glm::dvec3 n = glm::normalize(glm::dvec3(1, 2, 3));
-    for (const StackEntry& entry : {StackEntry{Rotate{{1, 2, 3}, 77}}, StackEntry{Translate{{5, 6, 7}}}, StackEntry{Scale{glm::dvec3(3)}},
-                                    StackEntry{Scale{{1, 1, -1}}}})
+    for (const StackEntry& entry : {StackEntry{Rotate{{1, 2, 3}, 77}}, StackEntry{Translate{{5, 6, 7}}},
+                                    StackEntry{Scale{glm::dvec3(3)}}, StackEntry{Scale{{1, 1, -1}}}})
         EXPECT_NEAR(*error_degrees(normal_matrices(glm::dmat3(matrix(entry))), {n}), 0.0, 1e-13) << name(entry);
     EXPECT_NEAR(*scaled(-3, 3, 3).error_bound_degrees(), 0.0, 1e-13);
 }
@@ -41,8 +41,8 @@ TEST(NormalRules, NaiveIsRightForRigidAndUniformMaps) {
 TEST(NormalRules, ReflectionPartsTheConventions) {
     const Transform<World, Object> mirror(matrix(Scale{{-1, 1, 1}}));
     const Normal<Object> n{{0.6, 0.8, 0}};
-    EXPECT_EQ(mirror(n)->xyz, glm::dvec3(-0.6, 0.8, 0));                                  // stays outside
-    EXPECT_EQ(transform_normal_by_cofactor(mirror, n).xyz, glm::dvec3(0.6, -0.8, 0));     // follows the winding
+    EXPECT_EQ(mirror(n)->xyz, glm::dvec3(-0.6, 0.8, 0));                               // stays outside
+    EXPECT_EQ(transform_normal_by_cofactor(mirror, n).xyz, glm::dvec3(0.6, -0.8, 0));  // follows the winding
     EXPECT_EQ(mirror.normal_matrices_by_rule().determinant, -1.0);
 }
 
@@ -77,7 +77,8 @@ TEST(NormalRules, TinyAndHugeScalesStayFinite) {
 
 TEST(NormalRules, RoundingDoesNotMakeAFlatObjectInvertible) {
     Scene scene;
-    scene.stack = {Scale{{1e6, 1, 1}}, Rotate{{1, 2, 3}, 40}, Scale{{1, 0, 1}}, Rotate{{3, 1, 2}, 70}, Scale{{1e-6, 1, 1}}, Rotate{{1, 1, 0}, 20}};
+    scene.stack = {Scale{{1e6, 1, 1}},    Rotate{{1, 2, 3}, 40}, Scale{{1, 0, 1}},
+                   Rotate{{3, 1, 2}, 70}, Scale{{1e-6, 1, 1}},   Rotate{{1, 1, 0}, 20}};
     EXPECT_EQ(world_from_object(scene).normal_matrices_by_rule().rank, 2);
     EXPECT_FALSE(world_from_object(scene)(Normal<Object>{{1, 0, 0}}));
 }
@@ -85,7 +86,8 @@ TEST(NormalRules, RoundingDoesNotMakeAFlatObjectInvertible) {
 TEST(NormalRules, AnglesAreAccurateAtBothEnds) {
     for (const double degrees : {0.0, 1e-9, 1e-3, 45.0, 90.0, 179.999, 180.0}) {
         const double a = degrees * std::acos(-1.0) / 180.0;
-        EXPECT_NEAR(*angle_degrees({3, 0, 0}, 1e-5 * glm::dvec3(std::cos(a), std::sin(a), 0)), degrees, 1e-13 + 1e-15 * degrees * 180);
+        EXPECT_NEAR(*angle_degrees({3, 0, 0}, 1e-5 * glm::dvec3(std::cos(a), std::sin(a), 0)), degrees,
+                    1e-13 + 1e-15 * degrees * 180);
     }
     EXPECT_FALSE(angle_degrees({0, 0, 0}, {1, 0, 0}));
 }
@@ -111,7 +113,8 @@ TEST(Stack, ShearSlidesCoordinates) {
 }
 
 TEST(Transform, InverseGoesBack) {
-    const Transform<World, Object> m(product(std::vector<StackEntry>{Scale{{2, -1, 0.5}}, Rotate{{1, 2, 3}, 33}, Translate{{4, 5, 6}}}));
+    const Transform<World, Object> m(
+        product(std::vector<StackEntry>{Scale{{2, -1, 0.5}}, Rotate{{1, 2, 3}, 33}, Translate{{4, 5, 6}}}));
     const Point<Object> p{{0.1, 0.2, 0.3}};
     EXPECT_LT(glm::length((*m.inverse())(m(p)).xyz - p.xyz), 1e-14);
     const Transform<Object, Object> round_trip = *m.inverse() * m;

@@ -4,8 +4,8 @@
 
 #include "core/shapes.h"
 
-#include <glm/common.hpp>
 #include <gtest/gtest.h>
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -130,7 +130,8 @@ TEST(Probe, NumbersInWorld) {
 TEST(Camera, RayAndPixelAreInverse) {
     Random random(34);
     for (int i = 0; i < 2000; ++i) {
-        const Camera camera{random.uniform(-400, 400), random.uniform(-90, 90), std::exp(random.uniform(-3, 3)), {random.vector(3.0)}};
+        const Camera camera{
+            random.uniform(-400, 400), random.uniform(-90, 90), std::exp(random.uniform(-3, 3)), {random.vector(3.0)}};
         const glm::dvec2 size(random.uniform(50, 2000), random.uniform(50, 2000));
         const CameraView view(camera, size);
         const glm::dvec2 pixel(random.uniform(0, 1) * size.x, random.uniform(0, 1) * size.y);

@@ -23,7 +23,9 @@ std::string message_of(F&& f) {
 
 TEST(SceneJson, MissingKeysTakeDefaults) {
     EXPECT_EQ(parse_scene("{}", "x"), Scene{});
-    EXPECT_EQ(parse_scene(R"({"normalscope": 1, "arrows": {}, "camera": {"zoom": 1}, "surface": {"shape": "sphere"}})", "x"), Scene{});
+    EXPECT_EQ(
+        parse_scene(R"({"normalscope": 1, "arrows": {}, "camera": {"zoom": 1}, "surface": {"shape": "sphere"}})", "x"),
+        Scene{});
 }
 
 TEST(SceneJson, ReadsTheDesignsExample) {
@@ -31,7 +33,8 @@ TEST(SceneJson, ReadsTheDesignsExample) {
         "normalscope": 1, "surface": {"shape": "torus"},
         "stack": [{"scale": [0.5, 2, 1]}, {"rotate": {"axis": [0, 0, 1], "degrees": 30}}],
         "rule": "naive", "view": "split", "arrows": {"at": "faces", "every": 3, "length": 0.12},
-        "camera": {"azimuth": 30, "elevation": 20, "zoom": 1}})", "x");
+        "camera": {"azimuth": 30, "elevation": 20, "zoom": 1}})",
+                                    "x");
     EXPECT_EQ(std::get<ShapeSurface>(scene.surface).shape, Shape::Torus);
     ASSERT_EQ(scene.stack.size(), 2u);
     EXPECT_EQ(scene.stack[0], StackEntry{(Scale{{0.5, 2, 1}})});
@@ -103,7 +106,8 @@ TEST(SceneJson, ErrorsNameThePath) {
         EXPECT_TRUE(message.starts_with("lecture.json: ")) << b.text << "\n" << message;
         EXPECT_EQ(message.find('\n'), std::string::npos) << message;
         EXPECT_LT(message.size(), 300u) << message;
-        for (const char* word : b.says) EXPECT_NE(message.find(word), std::string::npos) << b.text << "\n" << message << "\nlacks " << word;
+        for (const char* word : b.says)
+            EXPECT_NE(message.find(word), std::string::npos) << b.text << "\n" << message << "\nlacks " << word;
     }
 }
 
@@ -137,18 +141,19 @@ TEST(Setting, ErrorsNameThePath) {
     Scene scene;
     scene.stack = {Scale{{1, 2, 3}}};
     for (const char* text : {"rule", "=naive", ""}) EXPECT_THROW(with_setting(scene, text), UsageError) << text;
-    for (const auto& [text, says] : std::vector<std::pair<const char*, const char*>>{{"rule=wrong", "rule"},
-                                                                                      {"rules=naive", "unknown key"},
-                                                                                      {"arrows.len=1", "arrows.len"},
-                                                                                      {"stack.3.scale=[1,1,1]", "stack.3"},
-                                                                                      {"stack.x.scale=[1,1,1]", "stack.x"},
-                                                                                      {"stack.0.scale.1=two", "stack.0.scale.1"},
-                                                                                      {"stack.0.scale.3=2", "stack.0.scale.3"},
-                                                                                      {"stack.0.scale=1e999", "stack.0.scale"},
-                                                                                      {"rule.naive=1", "rule.naive"},
-                                                                                      {"stack.1=1", "stack.1"},
-                                                                                      {"camera..zoom=1", "camera."},
-                                                                                      {"camera.zoom=NaN", "camera.zoom"}}) {
+    for (const auto& [text, says] :
+         std::vector<std::pair<const char*, const char*>>{{"rule=wrong", "rule"},
+                                                          {"rules=naive", "unknown key"},
+                                                          {"arrows.len=1", "arrows.len"},
+                                                          {"stack.3.scale=[1,1,1]", "stack.3"},
+                                                          {"stack.x.scale=[1,1,1]", "stack.x"},
+                                                          {"stack.0.scale.1=two", "stack.0.scale.1"},
+                                                          {"stack.0.scale.3=2", "stack.0.scale.3"},
+                                                          {"stack.0.scale=1e999", "stack.0.scale"},
+                                                          {"rule.naive=1", "rule.naive"},
+                                                          {"stack.1=1", "stack.1"},
+                                                          {"camera..zoom=1", "camera."},
+                                                          {"camera.zoom=NaN", "camera.zoom"}}) {
         const std::string message = message_of([&, t = text] { with_setting(scene, t); });
         EXPECT_TRUE(message.starts_with("--set ")) << message;
         EXPECT_NE(message.find(says), std::string::npos) << text << "\n" << message;
@@ -165,7 +170,8 @@ TEST(BuiltInScenes, AllReadBackAndSayWhatTheyShow) {
         EXPECT_EQ(parse_scene(scene_text(scene), "x"), scene) << built_in.name;
         EXPECT_NO_THROW(world_from_object(scene));
     }
-    for (const char* name : {"slide-scale", "split", "identity", "rotation", "uniform", "shear"}) EXPECT_TRUE(names.contains(name)) << name;
+    for (const char* name : {"slide-scale", "split", "identity", "rotation", "uniform", "shear"})
+        EXPECT_TRUE(names.contains(name)) << name;
     EXPECT_TRUE(names.contains(std::string(kDefaultScene)));
     const std::string message = message_of([] { load_scene("no-such-scene"); });
     for (const std::string& name : names) EXPECT_NE(message.find(name), std::string::npos) << message;

@@ -3,10 +3,10 @@
 #include "core/error.h"
 #include "core/scene_json.h"
 
+#include <gtest/gtest.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ const Expected kExpected[] = {{Shape::Sphere, 2, 4 * kPi, 4 * kPi / 3},
                               {Shape::Cube, 2, 24, 8},
                               {Shape::Cylinder, 2, 6 * kPi, 2 * kPi},
                               {Shape::Cone, 2, kPi * (1 + std::sqrt(5.0)), 2 * kPi / 3},
-                              {Shape::Torus, 0, 4 * kPi * kPi * 0.7 * 0.3, 2 * kPi * kPi * 0.7 * 0.09},
+                              {Shape::Torus, 0, 4 * kPi* kPi * 0.7 * 0.3, 2 * kPi* kPi * 0.7 * 0.09},
                               {Shape::Plane, 1, 4, 0},
                               {Shape::Dodecahedron, 2, 10.51462224, 2.78516386}};
 
@@ -44,14 +44,16 @@ TEST_P(Shapes, AreClosedOrientedAndExact) {
     ASSERT_EQ(mesh.normal_source, NormalSource::Exact);
     EXPECT_EQ(mesh.note, "");
     for (const glm::dvec3& n : mesh.normals) EXPECT_NEAR(glm::length(n), 1.0, 1e-14);
-    for (const glm::dvec3& p : mesh.positions) EXPECT_LE(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}), 1.0 + 1e-14);
+    for (const glm::dvec3& p : mesh.positions)
+        EXPECT_LE(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}), 1.0 + 1e-14);
 
     // Seams have vertices of their own on each side: weld by place.
     std::map<std::tuple<long, long, long>, std::uint32_t> known;
     std::vector<std::uint32_t> weld;
     for (const glm::dvec3& p : mesh.positions) {
         const glm::dvec3 r = glm::round(1e8 * p);
-        weld.push_back(known.try_emplace({long(r.x), long(r.y), long(r.z)}, static_cast<std::uint32_t>(known.size())).first->second);
+        weld.push_back(known.try_emplace({long(r.x), long(r.y), long(r.z)}, static_cast<std::uint32_t>(known.size()))
+                           .first->second);
     }
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;  // directed
     double area = 0.0, volume = 0.0;
@@ -74,7 +76,9 @@ TEST_P(Shapes, AreClosedOrientedAndExact) {
         }
         undirected.insert(std::minmax(edge.first, edge.second));
     }
-    EXPECT_EQ(static_cast<int>(known.size()) - static_cast<int>(undirected.size()) + static_cast<int>(mesh.triangles.size()), expected.euler);
+    EXPECT_EQ(
+        static_cast<int>(known.size()) - static_cast<int>(undirected.size()) + static_cast<int>(mesh.triangles.size()),
+        expected.euler);
 
     // A polyhedron inscribed in the ideal surface is smaller, and approaches it quadratically.
     const double coarse = 40.0 / resolution / resolution;
@@ -95,7 +99,8 @@ std::string test_name(const testing::TestParamInfo<std::tuple<Expected, int>>& i
     const auto& [expected, resolution] = info.param;
     return std::string(name(expected.shape)) + "_" + std::to_string(resolution);
 }
-INSTANTIATE_TEST_SUITE_P(All, Shapes, testing::Combine(testing::ValuesIn(kExpected), testing::Values(8, 13, 64, 100)), test_name);
+INSTANTIATE_TEST_SUITE_P(All, Shapes, testing::Combine(testing::ValuesIn(kExpected), testing::Values(8, 13, 64, 100)),
+                         test_name);
 
 TEST(Shape, DodecahedronHasTwelvePentagons) {
     const Mesh mesh = make_shape({Shape::Dodecahedron, 3});

@@ -102,17 +102,19 @@ TEST_F(InterfaceTest, TabsChangeNothingByThemselvesAndRest) {
 // Stacks that leave nothing to invert, or nothing to show.
 TEST_F(InterfaceTest, TabsTakeAnyStack) {
     const glm::dmat4 projective(1, 0, 0, 0, 0, 1, 0, 0.5, 0, 0, 1, 0, 0, 0, 0, 1);
-    const std::array<std::vector<StackEntry>, 7> stacks{{{},
-                                                         {Scale{{0, 0, 0}}},
-                                                         {Scale{{1, 0, 0}}, Rotate{{1, 2, 3}, 40}},
-                                                         {Scale{{-1, 2, 0.5}}},
-                                                         {Scale{{1e-8, 1, 1e8}}, Shear{.xy = 1e8}},
-                                                         {Matrix{projective}},
-                                                         std::vector<StackEntry>(kMostStackEntries, Scale{{1.1, 1, 0.9}})}};
+    const std::array<std::vector<StackEntry>, 7> stacks{
+        {{},
+         {Scale{{0, 0, 0}}},
+         {Scale{{1, 0, 0}}, Rotate{{1, 2, 3}, 40}},
+         {Scale{{-1, 2, 0.5}}},
+         {Scale{{1e-8, 1, 1e8}}, Shear{.xy = 1e8}},
+         {Matrix{projective}},
+         std::vector<StackEntry>(kMostStackEntries, Scale{{1.1, 1, 0.9}})}};
     for (const std::string_view tab : Interface::tabs())
         for (const auto& stack : stacks)
             for (const Mistake mistake : {Mistake::Naive, Mistake::WOne, Mistake::NotInverted})
-                for (const std::optional<double> position : {std::optional<double>{}, std::optional(0.0), std::optional(0.5)}) {
+                for (const std::optional<double> position :
+                     {std::optional<double>{}, std::optional(0.0), std::optional(0.5)}) {
                     scene_.stack = stack;
                     scene_.mistake = mistake;
                     scene_.stack_position = position;
