@@ -13,7 +13,7 @@
 #include "pointer.h"
 #include "settings.h"
 
-#define GLFW_INCLUDE_NONE
+#define GLFW_INCLUDE_NONE  // GL's declarations come from glad
 #include <GLFW/glfw3.h>
 #include <imgui_impl_glfw.h>
 

@@ -2,8 +2,10 @@
 
 #include "core/error.h"
 
-#include <GLFW/glfw3.h>
 #include <glad/gl.h>
+
+#define GLFW_INCLUDE_NONE  // GL's declarations come from glad
+#include <GLFW/glfw3.h>
 
 #include <algorithm>
 #include <span>
