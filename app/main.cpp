@@ -5,6 +5,7 @@
 #include "core/explanation.h"
 #include "core/file.h"
 #include "core/png.h"
+#include "core/scene_file.h"
 #include "core/scene_json.h"
 #include "viewer.h"
 

@@ -6,6 +6,7 @@
 #include "core/history.h"
 #include "core/picking.h"
 #include "core/png.h"
+#include "core/scene_file.h"
 #include "core/scene_json.h"
 #include "gl/renderer.h"
 #include "gl/target.h"

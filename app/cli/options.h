@@ -2,6 +2,7 @@
 
 #include "core/context_choice.h"
 #include "core/explain_format.h"
+#include "core/scene_file.h"
 #include "core/scene_json.h"
 
 #include <glm/vec2.hpp>

@@ -1,11 +1,9 @@
 #include "core/scene_json.h"
 
 #include "core/error.h"
-#include "core/file.h"
 #include "core/json_text.h"
 #include "core/scene_fields.h"
 
-#include <embedded.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -16,10 +14,6 @@ namespace normalscope {
 namespace {
 
 using Json = nlohmann::ordered_json;
-namespace fs = std::filesystem;
-
-constexpr std::size_t kLargestSceneFile = std::size_t{16} << 20;
-constexpr std::string_view kSceneFolder = "assets/scenes/";
 
 // Keys that say which alternative an object is; setting one replaces the others.
 const std::vector<std::vector<std::string>> kAlternatives{{"shape", "mesh"},
@@ -366,12 +360,6 @@ Json& member(Json& object, const std::string& path, const std::string& key) {
     return object[key];
 }
 
-std::string lower_case_ending(const fs::path& file) {
-    std::string ending = file.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending;
-}
-
 }  // namespace
 
 std::string scene_text(const Scene& scene) { return json_text(json_of_scene(scene)); }
@@ -405,65 +393,6 @@ Scene with_setting(const Scene& scene, std::string_view assignment) {
     }
     *node = std::move(value);
     return scene_of(std::move(root), "--set ");
-}
-
-bool is_mesh_file(const fs::path& file) {
-    const std::string ending = lower_case_ending(file);
-    return ending == ".obj" || ending == ".ply" || ending == ".stl";
-}
-
-Scene with_mesh(Scene scene, const std::string& file) {
-    scene.about.clear();
-    scene.surface = MeshSurface{file};
-    scene.probe.reset();  // it was a point of another surface
-    return scene;
-}
-
-Scene load_scene(const std::string& file_or_name) {
-    const fs::path path(file_or_name);
-    if (lower_case_ending(path) == ".json") {
-        Scene scene = parse_scene(read_file(path, kLargestSceneFile), file_or_name);
-        if (MeshSurface* m = std::get_if<MeshSurface>(&scene.surface))
-            m->mesh = (path.parent_path() / m->mesh).lexically_normal().string();
-        return scene;
-    }
-    if (is_mesh_file(path)) {
-        Scene scene = with_mesh(load_scene(std::string(kDefaultScene)), file_or_name);
-        scene.camera.zoom = 1.25;  // few meshes fill the ball that they touch
-        return scene;
-    }
-    if (const auto text = embedded::file(std::string(kSceneFolder) + file_or_name + ".json"))
-        return parse_scene(*text, file_or_name);
-
-    std::error_code ignored;
-    if (fs::exists(path, ignored))
-        throw InputError(file_or_name +
-                         ": its ending tells nothing; a scene ends in .json, a mesh in .obj, .ply or .stl");
-    std::vector<std::string> names;
-    for (const BuiltInScene& scene : built_in_scenes()) names.push_back(scene.name);
-    throw InputError(file_or_name + ": no such file, nor a built-in scene (" + joined(names) + ")");
-}
-
-void save_scene(const Scene& scene, const fs::path& file) {
-    Scene portable = scene;
-    if (MeshSurface* m = std::get_if<MeshSurface>(&portable.surface)) {
-        std::error_code error;
-        const fs::path folder = fs::absolute(file, error).parent_path();
-        const fs::path relative = fs::proximate(fs::absolute(m->mesh, error), folder, error);
-        if (!error) m->mesh = relative.string();
-    }
-    write_file(file, scene_text(portable) + "\n");
-}
-
-std::vector<BuiltInScene> built_in_scenes() {
-    std::vector<BuiltInScene> scenes;
-    for (const std::string_view file : embedded::names()) {
-        if (!file.starts_with(kSceneFolder) || !file.ends_with(".json")) continue;
-        const std::string scene_name(file.substr(kSceneFolder.size(), file.size() - kSceneFolder.size() - 5));
-        scenes.push_back({scene_name, parse_scene(*embedded::file(file), scene_name).about});
-    }
-    std::ranges::sort(scenes, {}, &BuiltInScene::name);
-    return scenes;
 }
 
 std::string_view name(Shape v) { return enum_name(v); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/scene_file.h"
 #include "core/scene_json.h"
 #include "ui/file_dialog.h"
 #include "ui/interface.h"

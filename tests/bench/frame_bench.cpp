@@ -2,6 +2,7 @@
 // window draws it. Prints one line of JSON: frames a second, from the median, by samples a pixel.
 
 #include "core/frame.h"
+#include "core/scene_file.h"
 #include "core/scene_json.h"
 #include "core/surface.h"
 #include "gl/renderer.h"

@@ -1,6 +1,7 @@
 #include "core/explanation.h"
 
 #include "core/latex.h"
+#include "core/scene_file.h"
 #include "core/scene_json.h"
 #include "core/text_box.h"
 

@@ -1,3 +1,4 @@
+#include "core/scene_file.h"
 #include "core/scene_json.h"
 
 #include "core/error.h"

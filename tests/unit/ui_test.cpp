@@ -3,6 +3,7 @@
 #include "ui/numbers.h"
 
 #include "core/scene_fields.h"
+#include "core/scene_file.h"
 #include "core/scene_json.h"
 #include "core/surface.h"
 
