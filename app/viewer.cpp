@@ -357,6 +357,7 @@ void Viewer::wait() {
 }
 
 void Viewer::run() {
+    redraw();  // before any event: what one means depends on what is on the screen
     while (!glfwWindowShouldClose(window_.handle())) {
         wait();
         finish_opening();

@@ -222,6 +222,16 @@ void what_m_is(const Look& look, const Scene& scene) {
            "there the naive "
            "rule's direction is right. The larger it is, the farther off the naive rule can be.");
     ImGui::PopFont();
+}
+
+// Below the sliders, which must not slip away from the pointer while it drags one of them through zero.
+void what_follows(const Look& look, const Scene& scene) {
+    NormalMatrices normals;
+    try {
+        normals = world_from_object(scene).normal_matrices_by_rule();
+    } catch (const InputError&) {  // what_m_is says it
+        return;
+    }
     if (normals.determinant < 0.0) reflection_remark(look);
     if (normals.rank == 3) return;
     notice(look, normals.rank == 2 ? "M has no inverse: it flattens the object. The inverse transpose does not exist; "
@@ -242,6 +252,7 @@ void stack_section(const Look& look, Scene& scene, StackMemory& memory) {
     std::optional<Change> change;
     for (std::size_t i = 0; i < scene.stack.size(); ++i) entry_card(look, i, scene, memory, change);
     if (scene.stack.empty()) dim_text(look, "No transform: M = I.");
+    what_follows(look, scene);
     if (change) apply(*change, scene.stack, memory.folded);
 }
 

@@ -136,6 +136,14 @@ class MouseTest(WindowTest):
         window.click(Camera(before, (SIZE[0], SIZE[1]), PANEL + half).pixel(point))
         self.assert_near(window.scene()["probe"], point, 0.04)
 
+    def test_a_press_counts_where_the_pointer_has_always_been(self):
+        self.window(*LIGHT).point(MIDDLE)
+        window = self.window(*LIGHT)
+        window.do("mousedown", 1)
+        window.point((MIDDLE[0] + 50, MIDDLE[1]))
+        window.do("mouseup", 1)
+        self.assertAlmostEqual(window.scene()["camera"]["azimuth"], 10, places=6)
+
     def test_a_press_counts_where_the_pointer_is(self):
         # As a touch screen sends it: the pointer jumps and presses at once.
         window = self.window(*LIGHT)

@@ -94,6 +94,15 @@ class PanelTest(WindowTest):
         self.assertEqual(after, changed(before, "stack.0.scale.0", factor))
         self.assert_undo(window, before, after)
 
+    def test_the_sliders_stay_where_they_are(self):
+        # Whatever there is to be said of a reflection or of a flat object.
+        window = self.window(*LIGHT)
+        for axis, way in ((0, (185, 150)), (2, (180, 160)), (1, (190, 180)), (2, (210, 220))):
+            before = window.scene()["stack"][0]["scale"]
+            window.drag(*(self.slider(axis, x) for x in (200, *way)))
+            after = window.scene()["stack"][0]["scale"]
+            self.assertEqual([i for i in range(3) if before[i] != after[i]], [axis])
+
     def test_a_click_alone_changes_nothing(self):
         window = self.window(*LIGHT)
         before = window.scene()
@@ -103,14 +112,14 @@ class PanelTest(WindowTest):
     def test_typing_a_number(self):
         window = self.window(*LIGHT)
         scenes = [window.scene()]
-        for text, value in (("-1.5e0", -1.5), ("nan", -1.5), ("0", 0)):  # e and n are letters here
+        for text, value in (("-1.5e0", -1.5), ("nan", -1.5), ("0", 0), ("0.25", 0.25)):  # e and n are letters here
             window.point(self.slider(2))
             window.do("keydown", "ctrl", "click", 1, "keyup", "ctrl")
             window.type(text)
             window.key("Return")
             scenes.append(window.scene())
             self.assertEqual(scenes[-1], changed(scenes[0], "stack.0.scale.2", value), text)
-        self.assert_undo(window, scenes[0], scenes[1], scenes[3])
+        self.assert_undo(window, scenes[0], scenes[1], *scenes[3:])
 
     def test_locked_factors_keep_their_proportions(self):
         window = self.window(*LIGHT)
