@@ -8,6 +8,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <span>
 #include <string>
 
@@ -19,6 +20,19 @@ std::string last_error() {
     const char* text = nullptr;
     glfwGetError(&text);
     return text ? text : "GLFW gives no reason";
+}
+
+// GLFW 3.4 tries Wayland first, whose library prints an error of its own where there is none; and having tried two
+// platforms it no longer says why either failed. So where no variable leads to Wayland only X11 is tried.
+void choose_platform() {
+#ifdef GLFW_PLATFORM
+    const auto is_set = [](const char* variable) {
+        const char* value = std::getenv(variable);
+        return value && *value;
+    };
+    if (!is_set("WAYLAND_DISPLAY") && !is_set("WAYLAND_SOCKET") && glfwPlatformSupported(GLFW_PLATFORM_X11))
+        glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
 }
 
 // The monitor that most of the window lies on.
@@ -46,6 +60,7 @@ GLFWmonitor* monitor_of(const WindowPlace& place) {
 }  // namespace
 
 Window::Window(const char* title, const WindowPlace& place) {
+    choose_platform();
     if (!glfwInit())
         throw ContextError("no window: " + last_error() + "; without a display use: normalscope capture -o OUT.png");
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
