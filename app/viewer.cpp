@@ -95,6 +95,17 @@ private:
     std::future<Opened> opening_;
     int frames_wanted_ = kFramesAfterEvent;
 
+    /// What the target's samples hold.
+    struct Drawn {
+        Scene scene;
+        std::shared_ptr<const Surface> surface;
+        PixelRect rect;
+        std::optional<int> hot_axis;
+        std::optional<Highlight> highlight;
+        friend bool operator==(const Drawn&, const Drawn&) = default;
+    };
+    std::optional<Drawn> drawn_;
+
     // The error statistics go over every normal: only when the matrix or the surface changed.
     std::shared_ptr<const Surface> measured_surface_;
     glm::dmat4 measured_matrix_{0.0};
@@ -247,6 +258,7 @@ bool Viewer::redraw() {
     if (!target_ || target_->size() != size) {
         target_.reset();
         target_.emplace(size, kSamples);
+        drawn_.reset();
     }
     frame_ = frame_now(true);
     const Transform<World, Object> m = world_from_object(scene_);
@@ -267,8 +279,13 @@ bool Viewer::redraw() {
         frame_ = frame_now(true);  // so that the picture follows the slider without a frame's delay
         frames_wanted_ = kFramesAfterEvent;
     }
-    target_->bind();
-    renderer_.draw(*frame_, size.y);
+    // While only the interface changes, as in a dialog, the samples still hold the picture.
+    const Drawn now{scene_, frame_->surface, frame_->rect, pointer_.hot_axis(), gui_.interface.highlighted()};
+    if (drawn_ != now || target_->samples() == 1) {
+        target_->bind();
+        renderer_.draw(*frame_, size.y);
+        drawn_ = now;
+    }
     target_->resolve();
     gui_.draw();
     target_->show();
@@ -335,6 +352,7 @@ void Viewer::save_picture(const std::filesystem::path& file) {
     const glm::ivec2 size = window_.framebuffer_size();
     const Frame frame = frame_now(false);
     gui_.layout(size, scene_.theme, window_.content_scale(), [&] { gui_.interface.draw_words(frame); });
+    drawn_.reset();
     target_->bind();
     renderer_.draw(frame, size.y);
     target_->resolve();

@@ -3,9 +3,11 @@
 #include "core/error.h"
 #include "core/image.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <string_view>
 #include <utility>
 
 namespace normalscope {
@@ -75,6 +77,11 @@ double parse_share(const std::string& option, const std::string& text) {
 
 std::filesystem::path parse_output(const std::string& option, const std::string& text) {
     if (text.empty()) throw UsageError(option + ": its file's name is empty; give a name, or - for standard output");
+    static constexpr std::array<std::string_view, 10> kOthers{".jpg",  ".jpeg", ".gif", ".bmp", ".tif",
+                                                              ".tiff", ".webp", ".svg", ".pdf", ".mp4"};
+    for (const std::string_view other : kOthers)
+        if (text.ends_with(other))
+            throw UsageError(option + " " + text + ": only PNG is written; end the name in .png");
     return text == "-" ? "/dev/stdout" : text;
 }
 

@@ -24,6 +24,7 @@ namespace normalscope {
 struct PixelRect {
     glm::ivec2 origin{0};
     glm::ivec2 size{0};
+    friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
 /// The mesh drawn once, by one matrix.

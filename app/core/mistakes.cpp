@@ -131,4 +131,10 @@ MistakeText text(Mistake mistake) {
     return {};
 }
 
+std::string_view normal_formula(Rule rule, Mistake mistake) {
+    if (rule != Rule::Naive) return formula(rule);
+    if (about_tangents(mistake) || mistake == Mistake::NoRenormalisation) return formula(Rule::InverseTranspose);
+    return text(mistake).formula;
+}
+
 }  // namespace normalscope

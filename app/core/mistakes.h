@@ -37,4 +37,11 @@ struct MistakeText {
 };
 MistakeText text(Mistake mistake);
 
+/// What gives `rule`'s normals in a scene with this mistake, short enough for a table: "M n", "M (n, 1)", …
+std::string_view normal_formula(Rule rule, Mistake mistake);
+/// Whether the mistake is about tangents: then the normals are right, and what they are held against is not.
+constexpr bool about_tangents(Mistake mistake) {
+    return mistake == Mistake::TangentsByInverseTranspose || mistake == Mistake::TangentsByCofactor;
+}
+
 }  // namespace normalscope

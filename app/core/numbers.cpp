@@ -2,6 +2,7 @@
 
 #include "core/json_text.h"
 #include "core/json_values.h"
+#include "core/scene_json.h"
 
 namespace normalscope {
 
@@ -38,6 +39,7 @@ Json numbers_json(const Scene& scene, const Frame& frame, const std::optional<Dr
     Json j;
     j["renderer"] = drawn ? Json(drawn->renderer) : Json(nullptr);
     j["context"] = drawn ? Json(drawn->context) : Json(nullptr);
+    j["mistake"] = std::string(name(scene.mistake));  // what stands in the naive rule's place below
     j["M"] = json_rows(m.matrix());
     j["determinant"] = json_number(matrices.determinant);
     j["rank"] = matrices.rank;

@@ -124,7 +124,7 @@ std::string shown(const Json& j) {
 }
 
 std::string child(const std::string& path, const std::string& key) {
-    return path.empty() || path.ends_with(": ") ? path + key : path + "." + key;
+    return path.empty() || path.ends_with(' ') ? path + key : path + "." + key;
 }
 
 void read(const Json& j, const std::string& path, bool& v) {
@@ -325,7 +325,10 @@ Json parsed(std::string_view text, const std::string& prefix) {
 Json setting_value(const std::string& text, const std::string& path) {
     try {
         const Json value = Json::parse(text, not_too_deep, false);
-        return value.is_discarded() ? Json(text) : value;
+        if (!value.is_discarded()) return value;
+        if (text.starts_with('[') || text.starts_with('{') || text.starts_with('"'))
+            throw InputError(text + " is not valid JSON; a bracket or a quote is missing");
+        return text;  // a bare word
     } catch (const InputError& e) {
         throw InputError("--set " + path + ": " + e.what());
     }
@@ -392,7 +395,9 @@ Scene with_setting(const Scene& scene, std::string_view assignment) {
         path = child(path, key);
     }
     *node = std::move(value);
-    return scene_of(std::move(root), "--set ");
+    Scene result = scene_of(std::move(root), "--set ");
+    if (result != scene && path != "about") result.about.clear();  // it told of the scene as it was
+    return result;
 }
 
 std::string_view name(Shape v) { return enum_name(v); }

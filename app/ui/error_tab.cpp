@@ -150,7 +150,7 @@ void curve_key(const Look& look) {
         ImGui::PopFont();
         tip(look, about);
     };
-    dot(true, "this surface", "The worst over this surface's normals, measured, at M's own k.");
+    dot(true, "M n on this surface", "The worst over this surface's normals, measured, at M's own k.");
     dot(false, "M's stretch varied",
         "Measured over directions all around, for M with its stretch made smaller and larger along the same axes.");
 }

@@ -66,7 +66,7 @@ void coordinates(const Look& look, const Columns& c, const char* what, const ImV
     tip(look, about);
 }
 
-void where_and_whither(const Look& look, const ProbeInWorld& probe) {
+void where_and_whither(const Look& look, const ProbeInWorld& probe, Mistake mistake) {
     const Columns c = columns(look.px(88), 4);
     static constexpr std::array<std::string_view, 4> kWords{"x", "y", "z", "length"};
     heading(look, c, "", kWords);
@@ -80,7 +80,7 @@ void where_and_whither(const Look& look, const ProbeInWorld& probe) {
         "cof(M) n = det(M) (M⁻¹)ᵀ n, as it comes. Its length is the factor by which M changes the surface's area "
         "here."};
     for (std::size_t i = 0; i < kRules.size(); ++i) {
-        const std::string what(formula(kRules[i]));
+        const std::string what(normal_formula(kRules[i], mistake));
         std::optional<glm::dvec3> n;
         if (probe.normals[i]) n = probe.normals[i]->xyz;
         coordinates(look, c, what.c_str(), look.readable(kRules[i]), n, true, kAbout[i]);
@@ -98,7 +98,7 @@ void dot_cell(const Look& look, double dot, double lengths, float right) {
     ImGui::PopStyleColor();
 }
 
-void dots(const Look& look, const ProbeInWorld& probe) {
+void dots(const Look& look, const ProbeInWorld& probe, const Scene& scene) {
     const Columns c = columns(look.px(88), 3);
     static constexpr std::array<std::string_view, 3> kWords{"n · t₁", "n · t₂", "off by"};
     heading(look, c, "still ⊥ ?", kWords);
@@ -106,10 +106,13 @@ void dots(const Look& look, const ProbeInWorld& probe) {
         "t₁ and t₂ are tangents of the surface, carried along by M. A normal is what stays perpendicular to both: n · "
         "t = 0.");
     const auto& truth = probe.normals[static_cast<std::size_t>(Rule::InverseTranspose)];
+    if (about_tangents(scene.mistake) && scene.rule == Rule::Naive)
+        ImGui::TextColored(look.bad, "the tangents are wrong here, not n");
     for (std::size_t i = 0; i < kRules.size(); ++i) {
         ImGui::BeginGroup();
         ImGui::SetCursorPosX(c.left);
-        ImGui::TextColored(look.readable(kRules[i]), "%s", std::string(formula(kRules[i])).c_str());
+        ImGui::TextColored(look.readable(kRules[i]), "%s",
+                           std::string(normal_formula(kRules[i], scene.mistake)).c_str());
         const auto& n = probe.normals[i];
         const bool any = n && probe.dots[i] && glm::length(n->xyz) > 0.0;
         for (std::size_t k = 0; k < 2; ++k) {
@@ -197,9 +200,9 @@ void probe_section(Scene& scene, const PanelContext& context) {
     if (!open) return;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px(8), 0));
     if (const auto& probe = context.frame.probe) {
-        where_and_whither(look, *probe);
+        where_and_whither(look, *probe, scene.mistake);
         ImGui::Dummy({0, look.px(4)});
-        dots(look, *probe);
+        dots(look, *probe, scene);
     } else {
         dim_text(look, "This surface has no point to look at.");
     }

@@ -109,7 +109,7 @@ void stack_products(const Look& look, const Scene& scene, StackTab& tab) {
     const double position =
         std::min(scene.stack_position.value_or(static_cast<double>(count)), static_cast<double>(count));
     const auto whole = static_cast<std::size_t>(position);
-    if (whole == 0) return wrapped(look, look.dim, "No entry acts in full yet: M = I.");
+    if (whole == 0) return wrapped(look, look.dim, "No entry acts in full yet; the products of whole entries follow.");
     const EntryAlgebra& last = tab.algebra[whole - 1];
     const ImVec4 right = look.readable(Rule::InverseTranspose);
     wrapped(look, look.dim,

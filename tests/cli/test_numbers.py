@@ -7,7 +7,7 @@ import unittest
 from support import CommandTest, close_to
 
 RULES = ["naive", "inverse-transpose", "cofactor"]
-KEYS = ["renderer", "context", "M", "determinant", "rank", "condition", "normal_matrix", "error_degrees", "probe"]
+KEYS = ["renderer", "context", "mistake", "M", "determinant", "rank", "condition", "normal_matrix", "error_degrees", "probe"]
 PROBE_KEYS = ["point_object", "point_world", "n_object", "n_world", "tangents_object", "tangents_world", "dots", "f", "gradient"]
 
 
