@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace normalscope {
 
@@ -396,7 +397,9 @@ Scene with_setting(const Scene& scene, std::string_view assignment) {
     }
     *node = std::move(value);
     Scene result = scene_of(std::move(root), "--set ");
-    if (result != scene && path != "about") result.about.clear();  // it told of the scene as it was
+    // What it says of the object and its transform would no longer hold.
+    const auto subject = [](const Scene& s) { return std::tie(s.surface, s.stack, s.stack_position, s.mistake); };
+    if (subject(result) != subject(scene)) result.about.clear();
     return result;
 }
 
