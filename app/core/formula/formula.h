@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/formula/graph.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace normalscope::formulas {
+
+/// f(x, y, z) with its exact partial derivatives, in one graph that holds nothing else.
+struct Formula {
+    Graph graph;
+    Id f = 0;
+    std::array<Id, 3> gradient{};
+    std::string parameters;  ///< the letters of those that occur, in order: "ac"
+};
+
+/// What the user typed (parse.h says what is understood). Throws SyntaxError with the column; InputError where the
+/// derivatives are too long to hold.
+Formula read(std::string_view text);
+
+}  // namespace normalscope::formulas

@@ -1,0 +1,47 @@
+#pragma once
+
+// The characters of a formula as tokens; for the parser only.
+
+#include "core/formula/graph.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace normalscope::formulas {
+
+enum class TokenType {
+    Number,
+    Superscript,  // ²: a power at once
+    Leaf,         // x, a, pi, e
+    Function,
+    Plus,
+    Minus,
+    Times,
+    Divide,
+    Power,
+    Open,
+    Close,
+    Bar,
+    Comma,
+    Equals,
+    End
+};
+
+/// What is written like a function. Sqrt and exp are powers, so they are no Op.
+enum class Function { Sqrt, Exp, Of };
+
+struct Token {
+    TokenType type = TokenType::End;
+    std::size_t column = 1;
+    std::string text;  // as it was written
+    Number number;     // of Number and Superscript
+    Op op = Op::Pi;    // of Leaf and Function
+    int index = 0;     // of Leaf
+    Function function = Function::Of;
+};
+
+/// The tokens, the last of which is End. Throws SyntaxError.
+std::vector<Token> tokens(std::string_view text);
+
+}  // namespace normalscope::formulas

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/error.h"
+#include "core/formula/graph.h"
+
+namespace normalscope::formulas {
+
+/// What is wrong with a formula's text, and where: "column 7: expected a number, found the end".
+struct SyntaxError : InputError {
+    SyntaxError(std::size_t at, const std::string& message)
+        : InputError("column " + std::to_string(at) + ": " + message), column(at) {}
+    std::size_t column;  ///< in characters, the first is 1; one past the last for what is missing at the end
+};
+
+inline constexpr std::size_t kMostCharacters = 10'000;
+
+/// Reads f(x, y, z) into the graph. Throws SyntaxError.
+///
+///     lhs = rhs           is lhs − rhs; a leading "f(x, y, z) =" is left out
+///     + - * / ^           also − · × ÷ **; ^ from the right, −x^2 is −(x^2), x^-2 is fine
+///     ² ³ ⁻¹ √x |x|       as in print
+///     2x  3(x+y)z  xy     products; they bind as * does: 1/2x is x/2
+///     sin(x)  sin 2x      without brackets a function takes the numbers and letters that follow, with their powers, up
+///                         to an operator, a function or a bracket: sin 2x cos y is sin(2x)·cos(y)
+///     sin^2 x             is (sin x)^2
+///     pi π e              e is Euler's number, so it is none of the parameters a b c d f g h
+///     2e3                 is 2000, but 2e x is 2·e·x
+///
+/// Letters in a row are split from the left into the longest names: axy is a·x·y, and acosx is acos x.
+Id parse(Graph& graph, std::string_view text);
+
+}  // namespace normalscope::formulas
