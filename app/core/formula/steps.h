@@ -1,0 +1,146 @@
+#pragma once
+
+// What each step of a program computes, and its derivatives: written once for doubles, for many doubles side by side
+// and for intervals.
+
+#include "core/formula/interval.h"
+#include "core/formula/program.h"
+
+#include <cmath>
+#include <span>
+
+namespace normalscope::formulas {
+
+namespace real {
+inline double log(double v) { return v > 0.0 ? std::log(v) : kNaN; }
+inline double exp(double v) { return std::exp(v); }
+inline double sin(double v) { return std::sin(v); }
+inline double cos(double v) { return std::cos(v); }
+inline double tan(double v) { return std::tan(v); }
+inline double asin(double v) { return std::asin(v); }
+inline double acos(double v) { return std::acos(v); }
+inline double atan(double v) { return std::atan(v); }
+inline double abs(double v) { return std::abs(v); }
+inline double sqrt(double v) { return std::sqrt(v); }
+inline double min(double a, double b) { return a <= b || std::isnan(a) ? a : b; }
+inline double max(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
+inline double where(double a, double c, double b) { return std::isnan(c) ? c : c <= 0.0 ? a : b; }
+}  // namespace real
+
+inline Interval sqrt(const Interval& a) { return power(a, 0.5, Parity::None); }
+
+/// The result of one step.
+template <class T>
+T result(const Instruction& i, const T& a, const T& b, const T& c) {
+    using namespace real;  // for T = double; other types bring their own
+    switch (i.code) {
+        case Code::Add: return a + b;
+        case Code::Subtract: return a - b;
+        case Code::Multiply: return a * b;
+        case Code::Divide: return a / b;
+        case Code::Negate: return -a;
+        case Code::IntegerPower:
+        case Code::RealPower: return power(a, i.constant, i.parity);
+        case Code::Power: return power(a, b);
+        case Code::Exp: return exp(a);
+        case Code::Sqrt: return sqrt(a);
+        case Code::Log: return log(a);
+        case Code::Sin: return sin(a);
+        case Code::Cos: return cos(a);
+        case Code::Tan: return tan(a);
+        case Code::Asin: return asin(a);
+        case Code::Acos: return acos(a);
+        case Code::Atan: return atan(a);
+        case Code::Abs: return abs(a);
+        case Code::Sign: return sign(a);
+        case Code::Min: return min(a, b);
+        case Code::Max: return max(a, b);
+        case Code::Where: return where(a, b, c);
+        default: return T(i.constant);
+    }
+}
+
+/// Runs the program on (x, y, z); values[k] is what step k gives.
+template <class T>
+void forward(const Program& program, const std::array<T, 3>& at, std::span<T> values) {
+    for (std::size_t k = 0; k < program.size(); ++k) {
+        const Instruction& i = program[k];
+        values[k] = i.code == Code::Variable ? at[i.a] : result(i, values[i.a], values[i.b], values[i.c]);
+    }
+}
+
+/// ∂value/∂(x, y, z) by reverse accumulation: from the last step back, every step hands its derivative on to its
+/// operands, so that the whole gradient costs a few times the value, however many variables there are. (Griewank and
+/// Walther, "Evaluating Derivatives", chapter 3.) `values` as forward() left them, `d` as many.
+template <class T>
+std::array<T, 3> reverse(const Program& program, std::span<const T> values, std::span<T> d) {
+    using namespace real;
+    const T zero(0.0), one(1.0);
+    std::array<T, 3> gradient{zero, zero, zero};
+    for (T& v : d) v = zero;
+    d[program.size() - 1] = one;
+    for (std::size_t k = program.size(); k-- > 0;) {
+        const Instruction& i = program[k];
+        if (!i.varies) continue;
+        const T w = d[k];
+        if (i.code == Code::Variable) {
+            gradient[i.a] += w;
+            continue;
+        }
+        const T &a = values[i.a], &b = values[i.b];
+        const bool left = program[i.a].varies, right = program[i.b].varies;
+        switch (i.code) {
+            case Code::Add:
+                if (left) d[i.a] += w;
+                if (right) d[i.b] += w;
+                break;
+            case Code::Subtract:
+                if (left) d[i.a] += w;
+                if (right) d[i.b] += -w;
+                break;
+            case Code::Multiply:
+                if (left) d[i.a] += w * b;
+                if (right) d[i.b] += w * a;
+                break;
+            case Code::Divide: {
+                const T part = w / b;
+                if (left) d[i.a] += part;
+                if (right) d[i.b] += -(part * values[k]);
+                break;
+            }
+            case Code::Negate: d[i.a] += -w; break;
+            case Code::IntegerPower:
+            case Code::RealPower: d[i.a] += w * (T(i.constant) * power(a, i.constant - 1.0, flipped(i.parity))); break;
+            case Code::Power:
+                if (left) d[i.a] += w * (b * power(a, b - one));
+                if (right) d[i.b] += w * (values[k] * log(a));
+                break;
+            case Code::Exp: d[i.a] += w * values[k]; break;
+            case Code::Sqrt: d[i.a] += w * (T(0.5) / values[k]); break;
+            case Code::Log: d[i.a] += w / a; break;
+            case Code::Sin: d[i.a] += w * cos(a); break;
+            case Code::Cos: d[i.a] += -(w * sin(a)); break;
+            case Code::Tan: d[i.a] += w * (one + power(values[k], 2.0, Parity::Even)); break;
+            case Code::Asin: d[i.a] += w / sqrt(one - power(a, 2.0, Parity::Even)); break;
+            case Code::Acos: d[i.a] += -(w / sqrt(one - power(a, 2.0, Parity::Even))); break;
+            case Code::Atan: d[i.a] += w / (one + power(a, 2.0, Parity::Even)); break;
+            case Code::Abs: d[i.a] += w * sign(a); break;
+            case Code::Min:
+                if (left) d[i.a] += where(w, a - b, zero);
+                if (right) d[i.b] += where(zero, a - b, w);
+                break;
+            case Code::Max:
+                if (left) d[i.a] += where(w, b - a, zero);
+                if (right) d[i.b] += where(zero, b - a, w);
+                break;
+            case Code::Where:
+                if (left) d[i.a] += where(w, b, zero);
+                if (program[i.c].varies) d[i.c] += where(zero, b, w);
+                break;
+            default: break;
+        }
+    }
+    return gradient;
+}
+
+}  // namespace normalscope::formulas
