@@ -1,0 +1,258 @@
+#include "core/formula/glsl.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace normalscope::formulas {
+
+namespace {
+
+// What GLSL has not, or leaves undefined outside a domain: there these give something finite, and is_defined says no.
+struct Helper {
+    std::string_view name, source;
+};
+constexpr std::array kHelpers{
+    Helper{"nonzero", "float nonzero(float v) { return abs(v) > 1e-30 ? v : v < 0.0 ? -1e-30 : 1e-30; }\n"},
+    Helper{"safe_pow", "float safe_pow(float b, float e) { return min(pow(max(b, 1e-30), e), 1e30); }\n"},
+    Helper{"odd_pow", "float odd_pow(float b, float e) { return sign(b) * min(pow(max(abs(b), 1e-30), e), 1e30); }\n"},
+    Helper{"any_pow",
+           "float any_pow(float b, float e) {\n"
+           "    float s = min(pow(max(abs(b), 1e-30), e), 1e30);\n"
+           "    return b < 0.0 && mod(e, 2.0) == 1.0 ? -s : s;\n"
+           "}\n"},
+    Helper{"safe_exp", "float safe_exp(float v) { return exp(min(v, 69.0)); }\n"},
+};
+
+constexpr double kMostFactors = 16.0;  // longer powers are left to pow()
+
+std::string literal(double v) {
+    v = std::clamp(std::isnan(v) ? 0.0 : v, -3e38, 3e38);
+    char text[32];
+    const std::string s(text, std::to_chars(text, text + sizeof text, static_cast<float>(v)).ptr);
+    const std::string real = s.find_first_of(".e") == std::string::npos ? s + ".0" : s;
+    return v < 0.0 ? "(" + real + ")" : real;
+}
+
+class Generator {
+public:
+    explicit Generator(const Program& program) : program_(program) {}
+
+    Glsl run() {
+        Glsl result;
+        names_.resize(program_.size());
+        for (std::uint32_t k = 0; k < program_.size(); ++k) names_[k] = forward(k);
+        const std::string forward_body = body_;
+        const std::string value = names_.back();
+
+        adjoints_.resize(program_.size());
+        const std::string gradient = reverse();
+        std::string defined;
+        for (std::uint32_t k = 0; k < program_.size(); ++k)
+            if (const std::string c = condition(k); !c.empty()) defined += (defined.empty() ? "" : " && ") + c;
+        result.defined_everywhere = defined.empty();
+
+        const std::string gradient_body = body_;
+        for (const Helper& h : kHelpers)
+            if ((gradient_body + gradient + value).find(h.name) != std::string::npos) result.source += h.source;
+        result.source = uniforms_ + result.source + "float f(vec3 p) {\n" + forward_body + "    return " + value +
+                        ";\n}\n" + "vec3 gradient(vec3 p) {\n" + gradient_body + "    return " + gradient + ";\n}\n" +
+                        "bool is_defined(vec3 p) {\n" + (defined.empty() ? "" : forward_body) + "    return " +
+                        (defined.empty() ? "true" : defined) + ";\n}\n";
+        return result;
+    }
+
+private:
+    std::string temporary(const std::string& expression) {
+        const std::string name = "t" + std::to_string(temporaries_++);
+        body_ += "    float " + name + " = " + expression + ";\n";
+        return name;
+    }
+
+    // base^n as products of squares, each named once.
+    std::string integer_power(std::string base, double exponent, Parity parity) {
+        const double n = std::abs(exponent);
+        if (exponent < 0.0) return "1.0 / nonzero(" + integer_power(base, n, parity) + ")";
+        if (n == 0.0) return "1.0";
+        if (n > kMostFactors)
+            return (parity == Parity::Odd ? "odd_pow(" : "safe_pow(abs(") + base +
+                   (parity == Parity::Odd ? ", " : "), ") + literal(n) + ")";
+        std::string product;
+        for (auto bits = static_cast<unsigned>(n); bits != 0; bits >>= 1) {
+            if (bits & 1) product = product.empty() ? base : product + " * " + base;
+            if (bits > 3)
+                base = temporary(base + " * " + base);
+            else if (bits > 1)
+                base = bits == 2 && product.empty() ? base + " * " + base : temporary(base + " * " + base);
+        }
+        return product;
+    }
+
+    std::string real_power(const std::string& base, double exponent, Parity parity) {
+        if (parity == Parity::Even) return "safe_pow(abs(" + base + "), " + literal(exponent) + ")";
+        return (parity == Parity::Odd ? "odd_pow(" : "safe_pow(") + base + ", " + literal(exponent) + ")";
+    }
+
+    std::string forward(std::uint32_t k) {
+        const Instruction& i = program_[k];
+        const std::string a = operands(i.code) > 0 ? names_[i.a] : "", b = operands(i.code) > 1 ? names_[i.b] : "";
+        const auto call = [&](const char* name) { return temporary(std::string(name) + "(" + a + ")"); };
+        switch (i.code) {
+            case Code::Constant: return literal(i.constant);
+            case Code::Parameter: {
+                const std::string name =
+                    std::string("formula_") + kParameterNames[static_cast<std::size_t>(i.constant)];
+                uniforms_ += "uniform float " + name + ";\n";
+                return name;
+            }
+            case Code::Variable: return std::string("p.") + kVariableNames[i.a];
+            case Code::Add: return temporary(a + " + " + b);
+            case Code::Subtract: return temporary(a + " - " + b);
+            case Code::Multiply: return temporary(a + " * " + b);
+            case Code::Divide: return temporary(a + " / nonzero(" + b + ")");
+            case Code::Negate: return temporary("-" + a);
+            case Code::IntegerPower: return temporary(integer_power(a, i.constant, i.parity));
+            case Code::RealPower: return temporary(real_power(a, i.constant, i.parity));
+            case Code::Power: return temporary("any_pow(" + a + ", " + b + ")");
+            case Code::Exp: return call("safe_exp");
+            case Code::Sqrt: return temporary("sqrt(max(" + a + ", 0.0))");
+            case Code::Log: return temporary("log(max(" + a + ", 1e-30))");
+            case Code::Sin: return call("sin");
+            case Code::Cos: return call("cos");
+            case Code::Tan: return call("tan");
+            case Code::Asin: return temporary("asin(clamp(" + a + ", -1.0, 1.0))");
+            case Code::Acos: return temporary("acos(clamp(" + a + ", -1.0, 1.0))");
+            case Code::Atan: return call("atan");
+            case Code::Abs: return call("abs");
+            case Code::Sign: return call("sign");
+            case Code::Min: return temporary("min(" + a + ", " + b + ")");
+            case Code::Max: return temporary("max(" + a + ", " + b + ")");
+            case Code::Where: return temporary(b + " <= 0.0 ? " + a + " : " + names_[i.c]);
+        }
+        return {};
+    }
+
+    // What must hold for this step to have a real value; empty where it always has.
+    std::string condition(std::uint32_t k) const {
+        const Instruction& i = program_[k];
+        const std::string a = operands(i.code) > 0 ? names_[i.a] : "", b = operands(i.code) > 1 ? names_[i.b] : "";
+        const bool constant_divisor =
+            i.code == Code::Divide && program_[i.b].code == Code::Constant && program_[i.b].constant != 0.0;
+        switch (i.code) {
+            case Code::Constant: return std::isfinite(i.constant) ? "" : "false";
+            case Code::Divide: return constant_divisor ? "" : b + " != 0.0";
+            case Code::IntegerPower: return i.constant < 0.0 ? a + " != 0.0" : "";
+            case Code::RealPower:
+                if (i.parity != Parity::None) return i.constant < 0.0 ? a + " != 0.0" : "";
+                return a + (i.constant < 0.0 ? " > 0.0" : " >= 0.0");
+            case Code::Power:
+                return "(" + a + " > 0.0 || (" + a + " == 0.0 ? " + b + " > 0.0 : " + b + " == floor(" + b + ")))";
+            case Code::Sqrt: return a + " >= 0.0";
+            case Code::Log: return a + " > 0.0";
+            case Code::Asin:
+            case Code::Acos: return "abs(" + a + ") <= 1.0";
+            default: return {};
+        }
+    }
+
+    void contribute(std::uint32_t step, const std::string& term) {
+        if (!program_[step].varies) return;
+        std::string& sum = adjoints_[step];
+        sum += (sum.empty() ? "" : " + ") + term;
+    }
+    // factor · w, where w may be 1.
+    static std::string times(const std::string& w, const std::string& factor) {
+        return w == "1.0" ? factor : factor == "1.0" ? w : w + " * " + factor;
+    }
+
+    std::string reverse() {
+        std::array<std::string, 3> gradient{"0.0", "0.0", "0.0"};
+        if (program_.back().varies) adjoints_.back() = "1.0";
+        for (auto k = static_cast<std::uint32_t>(program_.size()); k-- > 0;) {
+            const Instruction& i = program_[k];
+            if (!i.varies || adjoints_[k].empty()) continue;
+            const bool simple = adjoints_[k].find_first_of(" (") == std::string::npos;
+            const std::string w = simple ? adjoints_[k] : temporary(adjoints_[k]);
+            if (i.code == Code::Variable)
+                gradient[i.a] = w;
+            else
+                hand_on(i, names_[k], w);
+        }
+        return "vec3(" + gradient[0] + ", " + gradient[1] + ", " + gradient[2] + ")";
+    }
+
+    void hand_on(const Instruction& i, const std::string& value, const std::string& w) {
+        const std::string a = names_[i.a], b = operands(i.code) > 1 ? names_[i.b] : "";
+        const auto minus = [](const std::string& v) { return "(-" + v + ")"; };
+        const auto choose = [&](const std::string& condition, bool when) {
+            return "(" + condition + " ? " + (when ? w + " : 0.0)" : "0.0 : " + w + ")");
+        };
+        switch (i.code) {
+            case Code::Add:
+                contribute(i.a, w);
+                contribute(i.b, w);
+                break;
+            case Code::Subtract:
+                contribute(i.a, w);
+                contribute(i.b, minus(w));
+                break;
+            case Code::Multiply:
+                contribute(i.a, times(w, b));
+                contribute(i.b, times(w, a));
+                break;
+            case Code::Divide: {
+                const std::string part = temporary(w + " / nonzero(" + b + ")");
+                contribute(i.a, part);
+                contribute(i.b, minus(part + " * " + value));
+                break;
+            }
+            case Code::Negate: contribute(i.a, minus(w)); break;
+            case Code::IntegerPower:
+            case Code::RealPower: {
+                const bool whole = i.code == Code::IntegerPower;
+                const std::string power = whole ? integer_power(a, i.constant - 1.0, flipped(i.parity))
+                                                : real_power(a, i.constant - 1.0, flipped(i.parity));
+                contribute(i.a, times(w, literal(i.constant) + " * " + power));
+                break;
+            }
+            case Code::Power:
+                if (program_[i.a].varies) contribute(i.a, times(w, b + " * any_pow(" + a + ", " + b + " - 1.0)"));
+                if (program_[i.b].varies) contribute(i.b, times(w, value + " * log(max(" + a + ", 1e-30))"));
+                break;
+            case Code::Exp: contribute(i.a, times(w, value)); break;
+            case Code::Sqrt: contribute(i.a, w + " * 0.5 / max(" + value + ", 1e-15)"); break;
+            case Code::Log: contribute(i.a, w + " / max(" + a + ", 1e-30)"); break;
+            case Code::Sin: contribute(i.a, times(w, "cos(" + a + ")")); break;
+            case Code::Cos: contribute(i.a, minus(times(w, "sin(" + a + ")"))); break;
+            case Code::Tan: contribute(i.a, times(w, "(1.0 + " + value + " * " + value + ")")); break;
+            case Code::Asin: contribute(i.a, w + " / sqrt(max(1.0 - " + a + " * " + a + ", 1e-30))"); break;
+            case Code::Acos: contribute(i.a, minus(w + " / sqrt(max(1.0 - " + a + " * " + a + ", 1e-30))")); break;
+            case Code::Atan: contribute(i.a, w + " / (1.0 + " + a + " * " + a + ")"); break;
+            case Code::Abs: contribute(i.a, times(w, "sign(" + a + ")")); break;
+            case Code::Min:
+            case Code::Max: {
+                const std::string first = a + (i.code == Code::Min ? " <= " : " >= ") + b;
+                contribute(i.a, choose(first, true));
+                contribute(i.b, choose(first, false));
+                break;
+            }
+            case Code::Where:
+                contribute(i.a, choose(b + " <= 0.0", true));
+                contribute(i.c, choose(b + " <= 0.0", false));
+                break;
+            default: break;
+        }
+    }
+
+    const Program& program_;
+    std::string uniforms_, body_;
+    int temporaries_ = 0;
+    std::vector<std::string> names_, adjoints_;
+};
+
+}  // namespace
+
+Glsl to_glsl(const Program& program) { return Generator(program).run(); }
+
+}  // namespace normalscope::formulas
