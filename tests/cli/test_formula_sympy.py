@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+"""Checks values and derivatives of random formulas against SymPy's. Skipped (exit code 77) where SymPy is missing."""
+
+import cmath
+import json
+import math
+import os
+import subprocess
+import sys
+
+try:
+    import sympy
+except ImportError:
+    print("SymPy was not found (Debian: python3-sympy)")
+    sys.exit(77)
+
+COUNT = 300
+SYMBOLS = sympy.symbols("x y z")
+# As complex functions, so that what has no real value shows as a complex one and not as an exception.
+FUNCTIONS = {name: getattr(cmath, name) for name in "sqrt exp log sin cos tan asin acos atan".split()}
+
+
+def real(function, at):
+    """The function's value if it is a finite real number, else None."""
+    try:
+        v = complex(function(*at))
+    except (ArithmeticError, ValueError):
+        return None
+    if not (math.isfinite(v.real) and math.isfinite(v.imag)) or abs(v.imag) > 1e-9 * max(1, abs(v.real)):
+        return None
+    return v.real
+
+
+def close(a, b):
+    return abs(a - b) <= 1e-7 * max(1, abs(a), abs(b))
+
+
+def main():
+    tool = os.path.join(os.path.dirname(os.environ["NORMALSCOPE"]), "formula_dump")
+    formulas = json.loads(subprocess.run([tool, str(COUNT), "1"], check=True, capture_output=True, text=True).stdout)
+    compared = failed = 0
+    for formula in formulas:
+        f = sympy.sympify(formula["text"].replace("^", "**"), locals=dict(zip("xyz", SYMBOLS)), rational=True)
+        exact = [f] + [sympy.diff(f, s) for s in SYMBOLS]
+        functions = [sympy.lambdify(SYMBOLS, e, [FUNCTIONS, "cmath"]) for e in exact]
+        for point in formula["points"]:
+            at = point["at"]
+            if point["f"] is None:
+                # The cosine of an imaginary number is real; but then some part of the formula is not.
+                parts = (sympy.lambdify(SYMBOLS, e, [FUNCTIONS, "cmath"]) for e in sympy.preorder_traversal(f))
+                if all(real(part, at) is not None for part in parts):
+                    print(f"{formula['text']} at {at}: f has a value, {real(functions[0], at)}")
+                    failed += 1
+                continue
+            ours = [[point["f"]]] + [[point["symbolic"][i], point["reverse"][i]] for i in range(3)]
+            for i in range(4):
+                theirs = real(functions[i], at)
+                for value in ours[i]:
+                    if value is None and i > 0:
+                        continue  # f may have a value where its derivative has none
+                    compared += 1
+                    if theirs is not None and close(value, theirs):
+                        continue
+                    # Double precision may have lost digits on either side: ask for 30 of them.
+                    precise = complex(exact[i].evalf(30, subs=dict(zip(SYMBOLS, map(sympy.Float, at)))))
+                    if not close(value, precise):
+                        print(f"{formula['text']} at {at}: {'f ∂x ∂y ∂z'.split()[i]} is {value}, SymPy's {precise}")
+                        failed += 1
+    print(f"{compared} values of {len(formulas)} formulas compared, {failed} differ")
+    return 1 if failed or compared < 5 * COUNT else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "random.h"
+
+#include <string>
+
+namespace normalscope::formulas {
+
+/// What random formulas are made of.
+struct Grammar {
+    bool functions = true;
+    bool piecewise = true;  ///< abs, min, max
+    bool parameters = false;
+    bool explicit_only = false;  ///< no implicit products, for readers that know none
+};
+
+/// A random formula as text, with at most 2^depth leaves.
+inline std::string random_formula(Random& random, const Grammar& g, int depth) {
+    const auto inner = [&] { return random_formula(random, g, depth - 1); };
+    const auto leaf = [&]() -> std::string {
+        switch (random.below(g.parameters ? 7 : 6)) {
+            case 0:
+            case 1: return "x";
+            case 2: return "y";
+            case 3: return "z";
+            case 4: return std::to_string(random.below(5) + 1);
+            case 5:
+                return random.chance(0.5) ? "0." + std::to_string(random.below(99) + 1)
+                                          : "(" + std::to_string(random.below(9) + 1) + "/" +
+                                                std::to_string(random.below(9) + 1) + ")";
+            default: return std::string(1, "abcdfgh"[random.below(7)]);
+        }
+    };
+    if (depth == 0 || random.chance(0.1)) return leaf();
+    switch (random.below(g.functions ? 13 : 8)) {
+        case 0:
+        case 1: return "(" + inner() + " + " + inner() + ")";
+        case 2: return "(" + inner() + " - " + inner() + ")";
+        case 3: return inner() + "*" + inner();
+        case 4: return g.explicit_only ? "(" + inner() + ")*(" + inner() + ")" : "(" + inner() + ")(" + inner() + ")";
+        case 5: return "(" + inner() + ")^" + std::to_string(random.below(4) + 1);
+        case 6: return "(-" + inner() + ")";
+        case 7: return "(" + inner() + ")/" + std::to_string(random.below(7) + 1);
+        case 8: return "(" + inner() + ")/(" + inner() + " + 3)";
+        case 9: return "sqrt(" + inner() + ")";
+        case 10: {
+            constexpr std::array<const char*, 8> kNames{"exp", "log", "sin", "cos", "tan", "asin", "acos", "atan"};
+            return kNames[static_cast<std::size_t>(random.below(8))] + ("(" + inner()) + ")";
+        }
+        case 11: return g.piecewise ? "abs(" + inner() + ")" : "sin(" + inner() + ")";
+        default:
+            if (!g.piecewise) return "(" + inner() + ")^(-2)";
+            return (random.chance(0.5) ? "min(" : "max(") + inner() + ", " + inner() + ")";
+    }
+}
+
+}  // namespace normalscope::formulas
