@@ -17,13 +17,13 @@ class FilesTest(WindowTest):
         (self.folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
 
     def test_a_mesh_is_opened_into_the_scene(self):
-        self.file("house.obj", TETRAHEDRON)
+        self.file("t.obj", TETRAHEDRON)
         window = self.window(*LIGHT)
         before = window.scene()
-        window.open("house.obj")
-        window.wait_for_title("house.obj")
+        window.open("t.obj")
+        window.wait_for_title("t.obj")
         after = window.scene()
-        self.assertEqual(after["surface"], {"mesh": "house.obj"})
+        self.assertEqual(after["surface"], {"mesh": "t.obj"})
         self.assertEqual([after[key] for key in ("stack", "rule", "view")], [before[key] for key in ("stack", "rule", "view")])
         self.assert_undo(window, before, after)
 
@@ -42,11 +42,11 @@ class FilesTest(WindowTest):
     def test_a_scene_is_opened(self):
         window = self.window("shear", *LIGHT)
         saved = window.scene()
-        self.file("saved.json", json.dumps(saved))
+        self.file("s.json", json.dumps(saved))
         window.key("n", "r", "v")
         self.assertNotEqual(window.scene(), saved)
-        window.open(self.folder / "saved.json")
-        window.wait_for_title("saved.json")
+        window.open("s.json")
+        window.wait_for_title("s.json")
         self.assertEqual(window.scene(), saved)
 
     def test_saving_by_a_path(self):
@@ -64,7 +64,7 @@ class FilesTest(WindowTest):
         self.file("c.json", '{"normalscope": 1, "colour": "red"}')
         self.file("d.json", '{"normalscope": 1, "surface": {"mesh": "none.obj"}}')
         self.file("e", "nothing")
-        self.file("good.json", '{"normalscope": 1, "rule": "naive"}')
+        self.file("g.json", '{"normalscope": 1, "rule": "naive"}')
         window = self.window(*LIGHT)
         before = window.scene()
         title = window.title()
@@ -74,20 +74,20 @@ class FilesTest(WindowTest):
         window.key("Escape")
         self.assertEqual(window.scene(), before)
         self.assertEqual(window.title(), title)
-        window.open("good.json")
-        window.wait_for_title("good.json")
+        window.open("g.json")
+        window.wait_for_title("g.json")
         self.assertEqual(window.scene()["rule"], "naive")
 
     def test_nothing_is_overwritten_unasked(self):
-        self.file("old.json", "old")
+        self.file("o.json", "old")
         window = self.window(*LIGHT)
         window.key("ctrl+s")
-        window.type("old.json")
+        window.type("o.json")
         window.key("Return")
-        self.assertEqual((self.folder / "old.json").read_text(), "old")
+        self.assertEqual((self.folder / "o.json").read_text(), "old")
         window.key("Return")  # yes, do
-        window.wait_for_title("old.json")
-        self.assertEqual(json.loads((self.folder / "old.json").read_text())["normalscope"], 1)
+        window.wait_for_title("o.json")
+        self.assertEqual(json.loads((self.folder / "o.json").read_text())["normalscope"], 1)
 
     def test_a_folder_that_does_not_exist(self):
         window = self.window(*LIGHT)

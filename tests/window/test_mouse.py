@@ -29,7 +29,7 @@ class MouseTest(WindowTest):
     def test_a_knob_through_zero_mirrors(self):
         window = self.window()
         before = window.scene()
-        window.drag(*(self.knob(before, 0, factor) for factor in (0.5, 0.2, 0, -0.2, -0.5)))
+        window.drag(*(self.knob(before, 0, factor) for factor in (0.5, 0.2, 0, -0.2, -0.5)), slowly=True)
         after = window.scene()
         factor = after["stack"][0]["scale"][0]
         self.assertAlmostEqual(factor, -0.5, delta=0.05)
@@ -39,7 +39,7 @@ class MouseTest(WindowTest):
     def test_whatever_is_looked_at_when_the_object_is_flat(self):
         window = self.window("flattened")
         before = window.scene()
-        for key in "ncevvtig":
+        for key in "ncevvtig":  # each drawn
             window.key(key)
         after = window.scene()
         self.assertEqual(after["stack"], before["stack"])

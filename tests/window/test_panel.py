@@ -77,7 +77,7 @@ class PanelTest(WindowTest):
     def test_the_y_slider(self):
         window = self.window()
         before = window.scene()
-        window.drag(self.slider(1), self.slider(1, 190), self.slider(1, 180))
+        window.drag(self.slider(1), self.slider(1, 190), self.slider(1, 180), slowly=True)
         after = window.scene()
         factor = after["stack"][0]["scale"][1]
         self.assertTrue(1 < factor < 1.9, factor)
@@ -87,7 +87,7 @@ class PanelTest(WindowTest):
     def test_a_slider_through_zero(self):
         window = self.window(*LIGHT)
         before = window.scene()
-        window.drag(self.slider(0), self.slider(0, 185), self.slider(0, 175), self.slider(0, 150))
+        window.drag(self.slider(0), self.slider(0, 185), self.slider(0, 175), self.slider(0, 150), slowly=True)
         after = window.scene()
         factor = after["stack"][0]["scale"][0]
         self.assertTrue(-2 < factor < 0, factor)
@@ -99,7 +99,7 @@ class PanelTest(WindowTest):
         window = self.window(*LIGHT)
         for axis, way in ((0, (185, 150)), (2, (180, 160)), (1, (190, 180)), (2, (210, 220))):
             before = window.scene()["stack"][0]["scale"]
-            window.drag(*(self.slider(axis, x) for x in (200, *way)))
+            window.drag(*(self.slider(axis, x) for x in (200, *way)), slowly=True)
             after = window.scene()["stack"][0]["scale"]
             self.assertEqual([i for i in range(3) if before[i] != after[i]], [axis])
 
@@ -124,7 +124,7 @@ class PanelTest(WindowTest):
     def test_locked_factors_keep_their_proportions(self):
         window = self.window(*LIGHT)
         window.click((242, self.rows[0] - 31))
-        window.drag(self.slider(1), self.slider(1, 190), self.slider(1, 180))
+        window.drag(self.slider(1), self.slider(1, 190), self.slider(1, 180), slowly=True)
         x, y, z = window.scene()["stack"][0]["scale"]
         self.assertTrue(1 < y < 1.9, y)
         self.assert_near([x, z], [y / 4, y / 2], 1e-9)

@@ -18,7 +18,7 @@ class TabsTest(WindowTest):
         window.click(STACK_TAB)
         whole, picture = window.scene(), window.picture()
         middle = (SLIDER_LEFT + SLIDER_RIGHT) // 2
-        window.drag((SLIDER_RIGHT - 1, SLIDER_Y), (SLIDER_RIGHT - 40, SLIDER_Y), (middle, SLIDER_Y))
+        window.drag((SLIDER_RIGHT - 1, SLIDER_Y), (SLIDER_RIGHT - 40, SLIDER_Y), (middle, SLIDER_Y), slowly=True)
         scrubbed = window.scene()
         self.assertIsNone(whole["stack_position"])
         self.assert_near([scrubbed["stack_position"]], [1.0], 0.1)
