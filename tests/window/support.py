@@ -19,11 +19,11 @@ NORMALSCOPE = pathlib.Path(os.environ.get("NORMALSCOPE", "build/normalscope")).r
 PATIENCE = 60.0  # seconds until a test gives up; nothing takes as long but on a machine that is very busy
 
 PANEL = 388  # the panel's width
-SIZE = (760, 560)  # smaller than the program's own, so that frames take little time
+SIZE = (640, 460)  # smaller than the program's own, so that frames take little time
 # A scene that is quickly drawn, for tests to which that makes no difference.
 LIGHT = [word for setting in ("surface.resolution=24", "view=single", "arrows.limit=12", "show.grid=false", "show.ghost=false")
          for word in ("--set", setting)]
-MIDDLE = (PANEL + (SIZE[0] - PANEL) // 2, 540)  # of the picture's lower edge: nothing but ground
+MIDDLE = (PANEL + (SIZE[0] - PANEL) // 2, 445)  # of the picture's lower edge: nothing but ground
 
 
 def until(condition, what):
@@ -32,7 +32,7 @@ def until(condition, what):
     while not (value := condition()):
         if time.monotonic() > end:
             raise AssertionError(f"still waiting for {what}")
-        time.sleep(0.002)
+        time.sleep(0.003)
     return value
 
 
@@ -122,15 +122,16 @@ class Window:
         """How often the threads of program and display have gone to sleep so far; None while one is awake."""
         self.check()
         sleeps = 0
-        for process in self.processes:
-            for status in pathlib.Path(f"/proc/{process}/task").glob("*/status"):
-                try:
-                    text = status.read_text()
-                except OSError:  # the thread has just ended
-                    return None
-                if "\nState:\tS" not in text:
-                    return None
-                sleeps += int(re.search(r"\nvoluntary_ctxt_switches:\s*(\d+)", text)[1])
+        try:
+            for process in self.processes:
+                for thread in os.listdir(f"/proc/{process}/task"):
+                    with open(f"/proc/{process}/task/{thread}/status", encoding="ascii", errors="replace") as file:
+                        state, _, rest = file.read().partition("\nState:\t")[2].partition("\n")
+                    if not state.startswith("S"):
+                        return None
+                    sleeps += int(rest.partition("\nvoluntary_ctxt_switches:")[2].partition("\n")[0])
+        except OSError:  # a thread has just ended
+            return None
         return sleeps
 
     def settle(self):
@@ -146,8 +147,7 @@ class Window:
 
     def do(self, *words):
         """Sends what xdotool makes of these words, and waits for the answer."""
-        xdotool(*words)
-        xdotool("getmouselocation")  # whatever asks the display for something: then it has got all before that
+        xdotool(*words, "getmouselocation")  # whatever asks the display for something: then it has got all before that
         self.settle()
 
     def key(self, *keys):
@@ -155,7 +155,8 @@ class Window:
         self.do("key", "--delay", 5, *keys)
 
     def type(self, text):
-        self.do("type", "--delay", 0, "--", text)
+        xdotool("type", "--delay", 0, "--", text)  # all that follows is text
+        self.do()
 
     def point(self, at):
         self.do("mousemove", "--window", self.id, *at)

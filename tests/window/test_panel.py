@@ -5,9 +5,10 @@ import subprocess
 import unittest
 import zlib
 
-from support import LIGHT, NORMALSCOPE, PANEL, SIZE, WindowTest, changed
+from support import LIGHT, NORMALSCOPE, WindowTest, changed
 
 NAIVE, INVERSE_TRANSPOSE, COFACTOR = (73, 79), (193, 79), (312, 79)
+HIGH = (640, 560)  # enough for the sliders and what is said below them
 LETTERS = range(28, 44)  # where those of the sliders stand
 
 
@@ -50,7 +51,7 @@ def hue(pixel):
 def scale_sliders():
     """How far down the sliders of the first scale are: where, in equal steps, a red letter, a green and a blue follow."""
     picture = subprocess.run(
-        [NORMALSCOPE, "capture", "--panel", "--context", "osmesa", "--size", f"{PANEL + 100}x{SIZE[1]}", "-o", "-"],
+        [NORMALSCOPE, "capture", "--panel", "--context", "osmesa", "--size", "%dx%d" % HIGH, "-o", "-"],
         check=True, capture_output=True).stdout
     letters = []
     for y, row in enumerate(rows(picture)):
@@ -75,7 +76,7 @@ class PanelTest(WindowTest):
         return (x, self.rows[axis])
 
     def test_the_y_slider(self):
-        window = self.window()
+        window = self.window(size=HIGH)
         before = window.scene()
         window.drag(self.slider(1), self.slider(1, 190), self.slider(1, 180), slowly=True)
         after = window.scene()
@@ -85,7 +86,7 @@ class PanelTest(WindowTest):
         self.assert_undo(window, before, after)
 
     def test_a_slider_through_zero(self):
-        window = self.window(*LIGHT)
+        window = self.window(*LIGHT, size=HIGH)
         before = window.scene()
         window.drag(self.slider(0), self.slider(0, 185), self.slider(0, 175), self.slider(0, 150), slowly=True)
         after = window.scene()
@@ -96,7 +97,7 @@ class PanelTest(WindowTest):
 
     def test_the_sliders_stay_where_they_are(self):
         # Whatever there is to be said of a reflection or of a flat object.
-        window = self.window(*LIGHT)
+        window = self.window(*LIGHT, size=HIGH)
         for axis, way in ((0, (185, 150)), (2, (180, 160)), (1, (190, 180)), (2, (210, 220))):
             before = window.scene()["stack"][0]["scale"]
             window.drag(*(self.slider(axis, x) for x in (200, *way)), slowly=True)
@@ -104,13 +105,13 @@ class PanelTest(WindowTest):
             self.assertEqual([i for i in range(3) if before[i] != after[i]], [axis])
 
     def test_a_click_alone_changes_nothing(self):
-        window = self.window(*LIGHT)
+        window = self.window(*LIGHT, size=HIGH)
         before = window.scene()
         window.click(self.slider(2, 100))
         self.assertEqual(window.scene(), before)
 
     def test_typing_a_number(self):
-        window = self.window(*LIGHT)
+        window = self.window(*LIGHT, size=HIGH)
         scenes = [window.scene()]
         for text, value in (("-1.5e0", -1.5), ("nan", -1.5), ("0", 0), ("0.25", 0.25)):  # e and n are letters here
             window.point(self.slider(2))
@@ -122,7 +123,7 @@ class PanelTest(WindowTest):
         self.assert_undo(window, scenes[0], scenes[1], *scenes[3:])
 
     def test_locked_factors_keep_their_proportions(self):
-        window = self.window(*LIGHT)
+        window = self.window(*LIGHT, size=HIGH)
         window.click((242, self.rows[0] - 31))
         window.drag(self.slider(1), self.slider(1, 190), self.slider(1, 180), slowly=True)
         x, y, z = window.scene()["stack"][0]["scale"]
@@ -130,7 +131,7 @@ class PanelTest(WindowTest):
         self.assert_near([x, z], [y / 4, y / 2], 1e-9)
 
     def test_the_rules(self):
-        window = self.window(*LIGHT)
+        window = self.window(*LIGHT, size=HIGH)
         scenes = [window.scene()]
         for place, rule in ((NAIVE, "naive"), (COFACTOR, "cofactor"), (INVERSE_TRANSPOSE, "inverse-transpose")):
             window.click(place)
