@@ -118,7 +118,7 @@ Id Graph::multiply(std::span<const Id> given) {
             merges = true;
             const Id merged = power(f->base, add(exponents));
             const bool same_base = merged == f->base || (nodes_[merged].op == Op::Power && args(merged)[0] == f->base);
-            again = again || !same_base;
+            again = again || !same_base || is_number(merged);
             result.push_back(merged);
         }
         f = end;
