@@ -1,5 +1,7 @@
 #include "core/stack.h"
 
+#include "core/overload.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -9,13 +11,6 @@
 namespace normalscope {
 
 namespace {
-
-template <class... F>
-struct Overload : F... {
-    using F::operator()...;
-};
-template <class... F>
-Overload(F...) -> Overload<F...>;
 
 // Quarter turns are common in lessons: take them exactly, so that no 6e-17 shows in a matrix.
 double exact_sin(double degrees) {

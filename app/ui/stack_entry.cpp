@@ -1,5 +1,6 @@
 #include "ui/stack_section.h"
 
+#include "core/overload.h"
 #include "core/palette.h"
 #include "ui/numbers.h"
 #include "ui/widgets.h"
@@ -13,13 +14,6 @@
 namespace normalscope {
 
 namespace {
-
-template <class... F>
-struct Overload : F... {
-    using F::operator()...;
-};
-template <class... F>
-Overload(F...) -> Overload<F...>;
 
 constexpr std::array<const char*, 3> kLetters{"x", "y", "z"};
 constexpr std::array<const char*, 3> kIds{"##x", "##y", "##z"};
