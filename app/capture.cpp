@@ -8,6 +8,8 @@
 #include "gl/target.h"
 #include "gui.h"
 
+#include <config.h>
+
 #include <algorithm>
 #include <cmath>
 #include <future>
@@ -37,22 +39,51 @@ float scale_of(glm::ivec2 size, bool panel) {
 
 }  // namespace
 
-Capture capture(const Scene& scene, const CaptureOptions& options) {
-    prefer_quick_shader_compilation();
-    // A large mesh takes as long to read as a context takes to make and its shaders to compile: do both at once.
-    SurfaceCache surfaces;
-    auto loading = std::async(std::launch::async, [&] { return surfaces.get(scene); });
+/// What needs a context, in the order in which it must be made.
+struct Studio::Equipment {
+    explicit Equipment(ContextChoice choice) : context(make_offscreen_context(choice)) { context->make_current(); }
 
-    const std::unique_ptr<Context> context = make_offscreen_context(options.context);
-    context->make_current();
-    const Target target(options.size, options.samples);
-    Renderer renderer;
+    const Target& target_for(const CaptureOptions& options) {
+        if (!target || target->size() != options.size || asked_samples != options.samples) {
+            target.reset();
+            target.emplace(options.size, options.samples);
+            asked_samples = options.samples;
+        }
+        return *target;
+    }
+
+    std::unique_ptr<Context> context;
+    std::optional<Target> target;
+    int asked_samples = 0;  // the driver may have given fewer
+    std::optional<Renderer> renderer;
+    std::optional<Gui> gui;
+};
+
+Studio::Studio(ContextChoice context) : choice_(context) { prefer_quick_shader_compilation(); }
+Studio::~Studio() = default;
+
+Capture Studio::capture(const Scene& scene, const CaptureOptions& options) {
+    // A large mesh takes as long to read as a context takes to make and its shaders to compile: do both at once.
+    auto loading =
+        std::async(equipment_ ? std::launch::deferred : std::launch::async, [&] { return surfaces_.get(scene); });
+    if (!equipment_) equipment_ = std::make_unique<Equipment>(choice_);
+    const Target& target = equipment_->target_for(options);
+    if (!equipment_->renderer) equipment_->renderer.emplace();
+    std::optional<Gui>& gui = equipment_->gui;
 
     const float scale = scale_of(options.size, options.panel);
     const std::shared_ptr<const Surface> surface = loading.get();
-    std::optional<Gui> gui;
     PixelRect rect{{0, 0}, options.size};
+    // The interface remembers what it showed last, which must not change this picture; words alone are forgotten.
+    struct Forget {
+        std::optional<Gui>& gui;
+        bool panel;
+        ~Forget() {
+            if (panel) gui.reset();
+        }
+    } const forget{gui, options.panel};
     if (options.panel) {
+        gui.reset();
         gui.emplace();
         gui->interface.prepare(scene.theme, scale);
         if (!gui->interface.show_tab(options.tab)) throw UsageError(unknown_tab(options.tab));
@@ -61,10 +92,10 @@ Capture capture(const Scene& scene, const CaptureOptions& options) {
     const Frame frame = make_frame(scene, surface, {.rect = rect, .pixel_scale = scale, .handles = options.panel});
 
     target.bind();
-    renderer.draw(frame, options.size.y);
+    equipment_->renderer->draw(frame, options.size.y);
     target.resolve();
-    if (!gui && has_words(frame)) gui.emplace();
-    if (gui) {
+    if (options.panel || has_words(frame)) {
+        if (!gui) gui.emplace();
         Status status;
         const Transform<World, Object> m = world_from_object(scene);
         if (const auto naive = normal_map(scene, m, Rule::Naive); naive && options.panel)
@@ -82,7 +113,12 @@ Capture capture(const Scene& scene, const CaptureOptions& options) {
     }
 
     Capture result{target.read(), {}};
-    if (options.numbers) result.numbers = numbers_text(scene, frame, {renderer_name(), std::string(context->name())});
+    if (options.numbers)
+        result.numbers = numbers_text(scene, frame,
+                                      {.program = NORMALSCOPE_VERSION,
+                                       .renderer = renderer_name(),
+                                       .gl_version = gl_version(),
+                                       .context = std::string(equipment_->context->name())});
     return result;
 }
 

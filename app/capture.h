@@ -2,8 +2,10 @@
 
 #include "core/image.h"
 #include "core/scene.h"
+#include "core/surface.h"
 #include "platform/context.h"
 
+#include <memory>
 #include <string>
 
 namespace normalscope {
@@ -11,7 +13,6 @@ namespace normalscope {
 struct CaptureOptions {
     glm::ivec2 size{1280, 720};
     int samples = 4;
-    ContextChoice context = ContextChoice::Auto;
     bool panel = false;    ///< the interface too
     std::string tab;       ///< the tab beside the picture, with the interface; empty: none
     bool numbers = false;  ///< fill Capture::numbers
@@ -22,7 +23,23 @@ struct Capture {
     std::string numbers;  ///< JSON text (DESIGN section 2)
 };
 
-/// A picture of the scene without a window. Throws InputError and ContextError.
-Capture capture(const Scene& scene, const CaptureOptions& options);
+/// Makes pictures of scenes without a window, one after the other: the context, its shaders and the last surface are
+/// kept, and a picture does not depend on those before it. Each belongs to the thread that made its first picture.
+class Studio {
+public:
+    explicit Studio(ContextChoice context);
+    ~Studio();
+    Studio(const Studio&) = delete;
+    Studio& operator=(const Studio&) = delete;
+
+    /// Throws InputError, ContextError, and UsageError for an unknown tab.
+    Capture capture(const Scene& scene, const CaptureOptions& options);
+
+private:
+    struct Equipment;
+    ContextChoice choice_;
+    std::unique_ptr<Equipment> equipment_;
+    SurfaceCache surfaces_;
+};
 
 }  // namespace normalscope

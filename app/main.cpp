@@ -50,12 +50,12 @@ int run(const ViewCommand& command) {
 
 int run(const CaptureCommand& command) {
     const Capture result =
-        capture(scene_for(command.file, command.settings), {.size = command.size,
-                                                            .samples = command.samples,
-                                                            .context = command.context,
-                                                            .panel = command.panel || !command.tab.empty(),
-                                                            .tab = command.tab,
-                                                            .numbers = command.numbers.has_value()});
+        Studio(command.context)
+            .capture(scene_for(command.file, command.settings), {.size = command.size,
+                                                                 .samples = command.samples,
+                                                                 .panel = command.panel || !command.tab.empty(),
+                                                                 .tab = command.tab,
+                                                                 .numbers = command.numbers.has_value()});
     write_png(command.output, result.image);
     if (command.numbers) write_file(*command.numbers, result.numbers);
     return 0;

@@ -8,6 +8,7 @@ set(test_environment
   LP_NATIVE_VECTOR_WIDTH=128
   LP_NUM_THREADS=1
   LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/cmake/lsan.supp:print_suppressions=0
+  NORMALSCOPE_GL_DEBUG=1  # any GL error ends the program, and so fails the test
   NORMALSCOPE=${PROJECT_BINARY_DIR}/normalscope
   PYTHONDONTWRITEBYTECODE=1)
 

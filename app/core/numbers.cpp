@@ -37,8 +37,11 @@ Json numbers_json(const Scene& scene, const Frame& frame, const std::optional<Dr
     const auto errors = mistaken ? error_statistics(frame.surface->mesh, *mistaken, matrices) : std::nullopt;
 
     Json j;
-    j["renderer"] = drawn ? Json(drawn->renderer) : Json(nullptr);
-    j["context"] = drawn ? Json(drawn->context) : Json(nullptr);
+    const auto of_drawing = [&](std::string Drawn::* what) { return drawn ? Json((*drawn).*what) : Json(nullptr); };
+    j["program"] = of_drawing(&Drawn::program);
+    j["renderer"] = of_drawing(&Drawn::renderer);
+    j["gl_version"] = of_drawing(&Drawn::gl_version);
+    j["context"] = of_drawing(&Drawn::context);
     j["mistake"] = std::string(name(scene.mistake));  // what stands in the naive rule's place below
     j["M"] = json_rows(m.matrix());
     j["determinant"] = json_number(matrices.determinant);

@@ -159,9 +159,16 @@ void Renderer::draw(const Frame& frame, int framebuffer_height) {
     glDisable(GL_SCISSOR_TEST);
 }
 
-std::string renderer_name() {
-    const GLubyte* name = glGetString(GL_RENDERER);
-    return name ? reinterpret_cast<const char*>(name) : "unknown";
+namespace {
+
+std::string gl_string(GLenum which) {
+    const GLubyte* text = glGetString(which);
+    return text ? reinterpret_cast<const char*>(text) : "unknown";
 }
+
+}  // namespace
+
+std::string renderer_name() { return gl_string(GL_RENDERER); }
+std::string gl_version() { return gl_string(GL_VERSION); }
 
 }  // namespace normalscope

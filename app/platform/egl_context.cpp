@@ -1,6 +1,7 @@
 #include "platform/egl_context.h"
 
 #include "core/error.h"
+#include "platform/gl_debug.h"
 #include "platform/shared_library.h"
 
 #include <EGL/egl.h>
@@ -44,6 +45,7 @@ public:
         const auto current = egl<decltype(eglMakeCurrent)>("eglMakeCurrent");
         if (!current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) || !gladLoadGL(get_))
             throw ContextError("EGL: its OpenGL 3.3 context cannot be used");
+        watch_for_gl_errors();
     }
     std::string_view name() const override { return "egl"; }
 

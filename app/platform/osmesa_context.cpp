@@ -1,6 +1,7 @@
 #include "platform/osmesa_context.h"
 
 #include "core/error.h"
+#include "platform/gl_debug.h"
 #include "platform/shared_library.h"
 
 #include <glad/gl.h>
@@ -43,6 +44,7 @@ public:
             library_.function<unsigned char(OsmesaContext, void*, GLenum, int, int)>("OSMesaMakeCurrent");
         if (!current(context_, pixels_.data(), GL_UNSIGNED_BYTE, kSide, kSide) || !gladLoadGL(loader_))
             throw ContextError("OSMesa: its OpenGL 3.3 context cannot be used");
+        watch_for_gl_errors();
     }
     std::string_view name() const override { return "osmesa"; }
 

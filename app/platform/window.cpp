@@ -1,6 +1,7 @@
 #include "platform/window.h"
 
 #include "core/error.h"
+#include "platform/gl_debug.h"
 
 #include <glad/gl.h>
 
@@ -91,6 +92,7 @@ Window::~Window() {
 void Window::make_current() {
     glfwMakeContextCurrent(window_);
     if (!gladLoadGL(glfwGetProcAddress)) throw ContextError("the window's OpenGL 3.3 context cannot be used");
+    watch_for_gl_errors();
     glfwSwapInterval(1);
 }
 

@@ -7,7 +7,7 @@ import unittest
 from support import CommandTest, close_to
 
 RULES = ["naive", "inverse-transpose", "cofactor"]
-KEYS = ["renderer", "context", "mistake", "M", "determinant", "rank", "condition", "normal_matrix", "error_degrees", "probe"]
+KEYS = ["program", "renderer", "gl_version", "context", "mistake", "M", "determinant", "rank", "condition", "normal_matrix", "error_degrees", "probe"]
 PROBE_KEYS = ["point_object", "point_world", "n_object", "n_world", "tangents_object", "tangents_world", "dots", "f", "gradient"]
 
 
@@ -38,6 +38,8 @@ class NumbersTest(CommandTest):
         self.assertEqual(list(numbers["probe"]["n_world"]), RULES)
         self.assertEqual(list(numbers["probe"]["dots"]), RULES)
         self.assertIn("llvmpipe", numbers["renderer"])
+        self.assertRegex(numbers["gl_version"], r"\A\d+\.\d+ .*Mesa")
+        self.assertEqual("normalscope " + numbers["program"], self.assert_done("--version").decode().strip())
 
     def test_the_running_example(self):
         numbers = self.numbers("slide-scale")
