@@ -4,6 +4,7 @@
 #include "core/decomposition_marks.h"
 #include "core/probe_marks.h"
 #include "core/solids.h"
+#include "core/surface_probe.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -199,10 +200,10 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
 
     std::optional<Probe> probe;
     if (scene.probe)
-        probe = nearest_probe(frame.surface->mesh, *scene.probe);
+        probe = nearest_probe(*frame.surface, *scene.probe);
     else
-        probe = probe_in_view(frame.surface->mesh, m, frame.panes.front().view,
-                              0.5 * glm::dvec2(frame.panes.front().rect.size));
+        probe =
+            probe_in_view(*frame.surface, m, frame.panes.front().view, 0.5 * glm::dvec2(frame.panes.front().rect.size));
     if (probe) frame.probe = in_world(*probe, m, scene);
 
     for (Pane& pane : frame.panes) {

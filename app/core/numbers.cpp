@@ -4,13 +4,17 @@
 #include "core/json_values.h"
 #include "core/scene_json.h"
 
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
 namespace normalscope {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json probe_json(const ProbeInWorld& p) {
+Json probe_json(const ProbeInWorld& p, const ImplicitSurface* implicit) {
     const auto vector = [](const auto& v) { return json_vector(v.xyz); };
     const auto pair = [&](const auto& tangents) { return Json::array({vector(tangents[0]), vector(tangents[1])}); };
     Json j;
@@ -25,6 +29,13 @@ Json probe_json(const ProbeInWorld& p) {
     });
     j["f"] = nullptr;  // formulas only
     j["gradient"] = nullptr;
+    if (implicit) {
+        const formulas::Sample s = implicit->at(p.object.point);
+        j["f"] = json_number(s.value);
+        if (std::isfinite(glm::length(s.gradient))) j["gradient"] = json_vector(s.gradient);
+    }
+    // Where the gradient is zero there is no normal: the one above is that of this neighbour.
+    if (p.object.borrowed_from) j["borrowed_from"] = vector(*p.object.borrowed_from);
     return j;
 }
 
@@ -54,7 +65,8 @@ Json numbers_json(const Scene& scene, const Frame& frame, const std::optional<Dr
     j["error_degrees"]["mean"] = json_or_null(errors, [](const auto& e) { return json_number(e.mean_degrees); });
     j["error_degrees"]["bound"] = json_or_null(matrices.error_bound_degrees(), json_number);
     j["error_degrees"]["at"] = json_or_null(errors, [](const auto& e) { return json_vector(e.at.xyz); });
-    j["probe"] = json_or_null(frame.probe, probe_json);
+    j["probe"] =
+        json_or_null(frame.probe, [&](const ProbeInWorld& p) { return probe_json(p, frame.surface->implicit.get()); });
     return j;
 }
 

@@ -1,5 +1,7 @@
 #include "core/picking.h"
 
+#include "core/surface_probe.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -60,7 +62,7 @@ std::optional<Point<Object>> picked_point(const Frame& frame, const Transform<Wo
     if (!pane) return std::nullopt;
     const glm::dvec2 at = pixel - glm::dvec2(pane->rect.origin);
     const ArrowHit arrow = nearest_arrow(frame, *pane, at, reach);
-    const auto surface = first_hit(frame.surface->mesh, worldFromObject, pane->view.ray(at));
+    const auto surface = first_hit(*frame.surface, worldFromObject, pane->view.ray(at));
     const double surface_depth =
         surface ? pane->view.pixel(worldFromObject(surface->probe.point)).z : std::numeric_limits<double>::infinity();
     if (arrow.depth <= surface_depth && arrow.depth < std::numeric_limits<double>::infinity()) return arrow.point;

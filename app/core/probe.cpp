@@ -19,12 +19,7 @@ Probe probe_at(const Mesh& mesh, const glm::uvec3& t, const glm::dvec3& b) {
     // Opposite vertex normals can cancel, and a vertex may have none: the triangle's own normal always serves.
     if (glm::length(n) < 1e-9)
         n = glm::cross(mesh.positions[t.y] - mesh.positions[t.x], mesh.positions[t.z] - mesh.positions[t.x]);
-    n = glm::length(n) > 0.0 ? glm::normalize(n) : glm::dvec3(0.0, 0.0, 1.0);
-    // The tangent that is level where there is one: it is easier to read than an arbitrary one.
-    const glm::dvec3 level = glm::cross(glm::dvec3(0.0, 1.0, 0.0), n);
-    const glm::dvec3 t0 =
-        glm::length(level) > 1e-6 ? glm::normalize(level) : glm::normalize(glm::cross(glm::dvec3(0.0, 0.0, 1.0), n));
-    return {{mix(mesh.positions)}, {n}, {Vector<Object>{t0}, Vector<Object>{glm::cross(n, t0)}}};
+    return probe_with({mix(mesh.positions)}, {glm::length(n) > 0.0 ? n : glm::dvec3(0.0, 0.0, 1.0)});
 }
 
 // Barycentric coordinates of the point of a triangle nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).
@@ -56,6 +51,15 @@ glm::dvec3 nearest_barycentric(const glm::dvec3& a, const glm::dvec3& b, const g
 }
 
 }  // namespace
+
+Probe probe_with(Point<Object> point, Normal<Object> normal) {
+    const glm::dvec3 n = glm::normalize(normal.xyz);
+    // The tangent that is level where there is one: it is easier to read than an arbitrary one.
+    const glm::dvec3 level = glm::cross(glm::dvec3(0.0, 1.0, 0.0), n);
+    const glm::dvec3 t0 =
+        glm::length(level) > 1e-6 ? glm::normalize(level) : glm::normalize(glm::cross(glm::dvec3(0.0, 0.0, 1.0), n));
+    return {point, {n}, {Vector<Object>{t0}, Vector<Object>{glm::cross(n, t0)}}};
+}
 
 ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& worldFromObject) {
     return in_world(probe, worldFromObject, Scene{});

@@ -16,7 +16,12 @@ struct Probe {
     Point<Object> point;
     Normal<Object> normal;
     std::array<Vector<Object>, 2> tangents;
+    /// Where ∇f is zero there is no normal: the neighbour on the surface that this one was borrowed from.
+    std::optional<Point<Object>> borrowed_from{};
 };
+
+/// A probe with its tangents, one of which is level where there is a level one. `n` of any length but 0.
+Probe probe_with(Point<Object> point, Normal<Object> n);
 
 /// A probe carried to world space by every rule, with the numbers that the panel, `--numbers` and the picture show.
 struct ProbeInWorld {

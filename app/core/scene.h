@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/camera.h"
+#include "core/formula/graph.h"
 #include "core/normal_rules.h"
 #include "core/stack.h"
 
@@ -30,7 +31,17 @@ struct MeshSurface {
     std::string mesh;
     friend bool operator==(const MeshSurface&, const MeshSurface&) = default;
 };
-using SurfaceSource = std::variant<ShapeSurface, MeshSurface>;
+/// What a formula's surface is cut off by.
+enum class Clip { Ball, Box };
+/// f(x, y, z) = 0 within a ball or a cube about the origin.
+struct FormulaSurface {
+    std::string formula = "x^2+y^2+z^2-1";
+    formulas::Parameters parameters = formulas::kAllOne;  ///< of the letters that occur; the others count for nothing
+    double bound = 2.0;                                   ///< the ball's radius, or half the cube's side
+    Clip clip = Clip::Ball;
+    friend bool operator==(const FormulaSurface&, const FormulaSurface&) = default;
+};
+using SurfaceSource = std::variant<ShapeSurface, MeshSurface, FormulaSurface>;
 
 /// The normals that can be shown as arrows: those of the untransformed object and those of each rule.
 enum class ArrowKind { Object, Naive, InverseTranspose, Cofactor };

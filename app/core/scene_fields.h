@@ -29,6 +29,7 @@ inline constexpr std::array kShapeNames{EnumName<Shape>{Shape::Sphere, "sphere"}
                                         EnumName<Shape>{Shape::Torus, "torus"},
                                         EnumName<Shape>{Shape::Plane, "plane"},
                                         EnumName<Shape>{Shape::Dodecahedron, "dodecahedron"}};
+inline constexpr std::array kClipNames{EnumName<Clip>{Clip::Ball, "ball"}, EnumName<Clip>{Clip::Box, "box"}};
 inline constexpr std::array kViewNames{EnumName<ViewMode>{ViewMode::Single, "single"},
                                        EnumName<ViewMode>{ViewMode::Split, "split"},
                                        EnumName<ViewMode>{ViewMode::Overlay, "overlay"}};
@@ -61,6 +62,7 @@ inline constexpr std::array kMistakeNames{
 
 constexpr const auto& names_of(Mistake) { return kMistakeNames; }
 constexpr const auto& names_of(Shape) { return kShapeNames; }
+constexpr const auto& names_of(Clip) { return kClipNames; }
 constexpr const auto& names_of(ViewMode) { return kViewNames; }
 constexpr const auto& names_of(ArrowPlacement) { return kPlacementNames; }
 constexpr const auto& names_of(ArrowKind) { return kArrowKindNames; }
@@ -81,6 +83,19 @@ void fields(F& f, S& s) {
 template <class F, Is<MeshSurface> S>
 void fields(F& f, S& s) {
     f("mesh", s.mesh);
+}
+/// The parameters' letters; those that the formula does not contain are neither read nor written.
+template <class Values>
+struct ParametersOf {
+    const std::string& formula;
+    Values& values;
+};
+template <class F, Is<FormulaSurface> S>
+void fields(F& f, S& s) {
+    f("formula", s.formula);
+    f("parameters", ParametersOf<std::remove_reference_t<decltype((s.parameters))>>{s.formula, s.parameters});
+    f("bound", s.bound, Range{1e-3, 1e3});
+    f("clip", s.clip);
 }
 template <class F, Is<Rotate> S>
 void fields(F& f, S& s) {

@@ -1,6 +1,8 @@
 #include "core/scene_json.h"
 
 #include "core/error.h"
+#include "core/formula/formula.h"
+#include "core/formula/parse.h"
 #include "core/json_text.h"
 #include "core/scene_fields.h"
 
@@ -17,8 +19,18 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Keys that say which alternative an object is; setting one replaces the others.
-const std::vector<std::vector<std::string>> kAlternatives{{"shape", "mesh"},
+const std::vector<std::vector<std::string>> kAlternatives{{"shape", "mesh", "formula"},
                                                           {"scale", "rotate", "translate", "shear", "matrix"}};
+
+// Of the parameters in a formula; none where it cannot be read.
+std::string letters(const std::string& formula) {
+    try {
+        formulas::Graph graph;
+        return formulas::parameters_of(graph, formulas::parse(graph, formula));
+    } catch (const InputError&) {
+        return {};
+    }
+}
 
 std::string joined(const std::vector<std::string>& words) {
     std::string text;
@@ -51,6 +63,8 @@ template <class E>
 Json json_of(E v) {
     return std::string(enum_name(v));
 }
+template <class V>
+Json json_of(const ParametersOf<V>& p);
 template <class T>
 Json json_of(const std::optional<T>& v);
 template <class T>
@@ -85,6 +99,13 @@ Json json_of(const T& v) {
     Json object = Json::object();
     Writer writer{object};
     fields(writer, v);
+    return object;
+}
+template <class V>
+Json json_of(const ParametersOf<V>& p) {
+    Json object = Json::object();
+    for (const char letter : letters(p.formula))
+        object[std::string(1, letter)] = p.values[formulas::kParameterNames.find(letter)];
     return object;
 }
 Json json_of(const SurfaceSource& s) {
@@ -185,6 +206,7 @@ void read(const Json& j, const std::string& path, std::optional<T>& v, R... rang
 template <class T>
 void read(const Json& j, const std::string& path, std::vector<T>& v);
 void read(const Json& j, const std::string& path, SurfaceSource& v);
+void read(const Json& j, const std::string& path, ParametersOf<formulas::Parameters>& p);
 void read(const Json& j, const std::string& path, StackEntry& v);
 template <class T>
     requires std::is_class_v<T>
@@ -196,7 +218,7 @@ struct Reader {
     std::vector<std::string> known;
 
     template <class T, class... R>
-    void operator()(const char* key, T& value, R... range) {
+    void operator()(const char* key, T&& value, R... range) {
         known.emplace_back(key);
         if (const auto it = object.find(key); it != object.end()) read(*it, child(path, key), value, range...);
     }
@@ -206,6 +228,19 @@ struct Reader {
                 fail(child(path, key), "unknown key; known here: " + joined(known));
     }
 };
+
+void read(const Json& j, const std::string& path, ParametersOf<formulas::Parameters>& p) {
+    if (!j.is_object()) fail_type(path, "an object", j);
+    const std::string known = letters(p.formula);
+    for (const auto& [key, value] : j.items()) {
+        if (key.size() != 1 || known.find(key) == std::string::npos) {
+            std::string text = "the formula has no such parameter; ";
+            for (const char c : known) text += (c == known.front() ? "it has " : ", ") + std::string(1, c);
+            fail(child(path, key), known.empty() ? "the formula has no parameters" : text);
+        }
+        read(value, child(path, key), p.values[formulas::kParameterNames.find(key)], kCoordinate);
+    }
+}
 
 template <class T, class... R>
 void read(const Json& j, const std::string& path, std::optional<T>& v, R... range) {
@@ -249,8 +284,17 @@ void read(const Json& j, const std::string& path, SurfaceSource& v) {
     const std::string kind = alternative(j, path, kAlternatives[0]);
     if (kind == "shape")
         read(j, path, v.emplace<ShapeSurface>());
-    else
+    else if (kind == "mesh")
         read(j, path, v.emplace<MeshSurface>());
+    else
+        read(j, path, v.emplace<FormulaSurface>());
+    if (const FormulaSurface* f = std::get_if<FormulaSurface>(&v)) {
+        try {
+            (void)formulas::read(f->formula);
+        } catch (const InputError& e) {
+            fail(child(path, "formula"), e.what());
+        }
+    }
 }
 
 void read(const Json& j, const std::string& path, StackEntry& v) {
@@ -358,7 +402,8 @@ Json& member(Json& object, const std::string& path, const std::string& key) {
     if (!object.contains(key)) {
         std::vector<std::string> known;
         for (const auto& [k, v] : object.items()) known.push_back(k);
-        if (known.empty()) known = *kinds;
+        if (known.empty() && kinds) known = *kinds;
+        if (known.empty()) fail("--set " + child(path, key), "there is nothing below " + shown(object));
         fail("--set " + child(path, key), "unknown key; known here: " + joined(known));
     }
     return object[key];
@@ -396,6 +441,16 @@ Scene with_setting(const Scene& scene, std::string_view assignment) {
         path = child(path, key);
     }
     *node = std::move(value);
+    if (path == "surface.formula") {
+        if (!node->is_string()) *node = value_text;  // a formula may look like a number
+        // Another formula has other parameters.
+        const std::string known = letters(node->get<std::string>());
+        const Json before = root["surface"].value("parameters", Json::object());
+        Json kept = Json::object();
+        for (const auto& [key, number] : before.items())
+            if (known.find(key) != std::string::npos) kept[key] = number;
+        root["surface"]["parameters"] = kept;
+    }
     Scene result = scene_of(std::move(root), "--set ");
     // What it says of the object and its transform would no longer hold.
     const auto subject = [](const Scene& s) { return std::tie(s.surface, s.stack, s.stack_position, s.mistake); };

@@ -1,6 +1,7 @@
 #include "core/surface.h"
 
 #include "core/mesh_file.h"
+#include "core/overload.h"
 #include "core/shapes.h"
 
 #include <glm/common.hpp>
@@ -12,6 +13,18 @@
 
 namespace normalscope {
 
+namespace {
+
+constexpr int kFormulaCells = 40;  // a side: some thousand vertices for arrows to stand on
+
+// As near to f = 0 as rounding lets it come, but for vertices beside a double point.
+bool lies_on(const ImplicitSurface& surface, Point<Object> p) {
+    const formulas::Sample s = surface.at(p);
+    return std::abs(s.value) <= 1e-9 * glm::length(s.gradient) * surface.source().bound;
+}
+
+}  // namespace
+
 std::shared_ptr<const Surface> SurfaceCache::get(const Scene& scene) {
     const bool same_mesh = mesh_ && mesh_source_ == scene.surface;
     // Which arrow kinds are shown and how long they are does not change where they stand.
@@ -19,21 +32,32 @@ std::shared_ptr<const Surface> SurfaceCache::get(const Scene& scene) {
     if (surface_ && surface_source_ == scene.surface && placement(surface_arrows_) == placement(scene.arrows))
         return surface_;
 
-    const bool faces = scene.arrows.at == ArrowPlacement::Faces;
+    // The faces of a formula's mesh are not the surface: its arrows stand on the surface's own points.
+    const bool faces =
+        scene.arrows.at == ArrowPlacement::Faces && !std::holds_alternative<FormulaSurface>(scene.surface);
     auto surface = std::make_shared<Surface>();
     if (!same_mesh) {
-        const ShapeSurface* shape = std::get_if<ShapeSurface>(&scene.surface);
-        surface->mesh = shape ? make_shape(*shape) : load_mesh(std::get<MeshSurface>(scene.surface).mesh);
+        std::shared_ptr<const ImplicitSurface> implicit;
+        surface->mesh = std::visit(Overload{[](const ShapeSurface& shape) { return make_shape(shape); },
+                                            [](const MeshSurface& file) { return load_mesh(file.mesh); },
+                                            [&](const FormulaSurface& formula) {
+                                                implicit = std::make_shared<const ImplicitSurface>(formula);
+                                                return polygonised(*implicit, kFormulaCells);
+                                            }},
+                                   scene.surface);
+        implicit_ = std::move(implicit);
         // A mesh that is drawn as it is need not be kept twice: it takes time and memory to copy a million triangles.
         mesh_ = faces ? std::make_shared<const Mesh>(std::move(surface->mesh))
                       : std::shared_ptr<const Mesh>(surface, &surface->mesh);
         mesh_source_ = scene.surface;
     }
+    surface->implicit = implicit_;
     surface->area = surface_area(*mesh_);
     for (const glm::dvec3& p : mesh_->positions) surface->extent = glm::max(surface->extent, glm::abs(p));
-    surface->arrows =
-        thinned(faces ? face_sites(*mesh_) : vertex_sites(*mesh_), static_cast<std::size_t>(scene.arrows.every),
-                static_cast<std::size_t>(scene.arrows.limit), surface->area);
+    std::vector<Site> sites = faces ? face_sites(*mesh_) : vertex_sites(*mesh_);
+    if (implicit_) std::erase_if(sites, [&](const Site& s) { return !lies_on(*implicit_, s.point); });
+    surface->arrows = thinned(std::move(sites), static_cast<std::size_t>(scene.arrows.every),
+                              static_cast<std::size_t>(scene.arrows.limit), surface->area);
     if (faces)
         surface->mesh = flat_shaded(*mesh_);
     else if (same_mesh)

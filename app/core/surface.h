@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/implicit_surface.h"
 #include "core/mesh.h"
 #include "core/mistakes.h"
 #include "core/scene.h"
@@ -13,6 +14,8 @@ namespace normalscope {
 /// shared by whoever draws or measures it.
 struct Surface {
     Mesh mesh;
+    /// What a formula's mesh comes from, and what is drawn in its place; empty for shapes and mesh files.
+    std::shared_ptr<const ImplicitSurface> implicit;
     std::vector<Site> arrows;
     double area = 0.0;
     glm::dvec3 extent{0.0};  ///< the largest |x|, |y| and |z|
@@ -27,6 +30,7 @@ public:
 
 private:
     std::shared_ptr<const Mesh> mesh_;
+    std::shared_ptr<const ImplicitSurface> implicit_;
     SurfaceSource mesh_source_;
     std::shared_ptr<const Surface> surface_;
     SurfaceSource surface_source_;
