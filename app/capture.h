@@ -27,7 +27,8 @@ struct Capture {
 /// kept, and a picture does not depend on those before it. Each belongs to the thread that made its first picture.
 class Studio {
 public:
-    explicit Studio(ContextChoice context);
+    /// `pictures` is how many it is likely to make in all. Call it before any thread starts.
+    explicit Studio(ContextChoice context, std::size_t pictures = 1);
     ~Studio();
     Studio(const Studio&) = delete;
     Studio& operator=(const Studio&) = delete;

@@ -6,7 +6,8 @@
 #include "core/file.h"
 #include "core/png.h"
 #include "core/scene_file.h"
-#include "core/scene_json.h"
+#include "scene_arguments.h"
+#include "sweep.h"
 #include "viewer.h"
 
 #include <algorithm>
@@ -18,12 +19,6 @@
 namespace normalscope {
 
 namespace {
-
-Scene scene_for(const std::string& file, const std::vector<std::string>& settings) {
-    Scene scene = load_scene(file);
-    for (const std::string& setting : settings) scene = with_setting(scene, setting);
-    return scene;
-}
 
 std::string padded(std::string text, std::size_t width) {
     text.resize(std::max(text.size() + 1, width), ' ');
@@ -49,17 +44,15 @@ int run(const ViewCommand& command) {
 }
 
 int run(const CaptureCommand& command) {
+    const Scene scene = scene_for(command.file, command.settings);
     const Capture result =
-        Studio(command.context)
-            .capture(scene_for(command.file, command.settings), {.size = command.size,
-                                                                 .samples = command.samples,
-                                                                 .panel = command.panel || !command.tab.empty(),
-                                                                 .tab = command.tab,
-                                                                 .numbers = command.numbers.has_value()});
+        Studio(command.context).capture(scene, capture_options(command, command.numbers.has_value()));
     write_png(command.output, result.image);
     if (command.numbers) write_file(*command.numbers, result.numbers);
     return 0;
 }
+
+int run(const SweepCommand& command) { return sweep(command); }
 
 int run(const ExplainCommand& command) {
     write_file("/dev/stdout", explain(scene_for(command.file, command.settings), command.format));

@@ -1,67 +1,20 @@
 #include "cli/options.h"
 
+#include "cli/declare.h"
 #include "cli/help.h"
 #include "cli/nearest.h"
 #include "cli/values.h"
 #include "core/error.h"
 
-#include <config.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <functional>
 #include <memory>
-#include <sstream>
 #include <system_error>
 
 namespace normalscope {
 
 namespace {
-
-const std::string kVersion = "normalscope " NORMALSCOPE_VERSION;
-
-// A declared command, and what its options make. Values stay text while CLI11 parses, and are read here: its own
-// messages differ from version to version.
-struct Declared {
-    CLI::App* app;
-    std::function<Command()> make;
-};
-
-std::string text_of(glm::ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
-std::string text_of(double number) {
-    std::ostringstream text;
-    text << number;
-    return text.str();
-}
-
-void set_up(CLI::App& app, const std::string& examples) {
-    app.set_help_flag("-h,--help", "Print this help");
-    app.set_version_flag("--version", kVersion, "Print the version");
-    app.footer("Examples:\n" + examples);
-    app.allow_extras();  // they are answered by refuse_extras
-    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-}
-
-CLI::Option& add(CLI::App& app, const std::string& name, std::string& value, const std::string& word,
-                 const std::string& help) {
-    CLI::Option& option = *app.add_option(name, value, help)->type_name(word);
-    if (!value.empty()) option.capture_default_str();
-    return option;
-}
-
-CLI::Option& add_file(CLI::App& app, std::string& value) {
-    return add(app, "FILE", value, "",
-               "A scene (.json), a mesh (.obj, .ply, .stl), or the name of a built-in scene (see normalscope scenes)");
-}
-
-void add_settings(CLI::App& app, std::vector<std::string>& value) {
-    app.add_option(
-           "--set", value,
-           "Change the scene: a dotted path and a JSON value, where a bare word is a string; may be given again")
-        ->type_name("PATH=VALUE")
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->allow_extra_args(false);  // one value each, or it would eat the FILE after it
-}
 
 // ---- One function a command --------------------------------------------------------------------------------------
 
@@ -84,8 +37,8 @@ Declared declare_view(CLI::App& root) {
 Declared declare_capture(CLI::App& root) {
     struct Given {
         CaptureCommand command;
-        std::string output, numbers, size = text_of(command.size), samples = std::to_string(command.samples),
-                                     context = "auto";
+        GivenPicture picture;
+        std::string output, numbers;
     };
     const auto given = std::make_shared<Given>();
     CLI::App& app = *root.add_subcommand("capture", "Draw a picture offscreen, without a display");
@@ -96,24 +49,14 @@ Declared declare_capture(CLI::App& root) {
            "  normalscope capture shear -o - | display");
     add_file(app, given->command.file).capture_default_str();
     add(app, "-o,--output", given->output, "OUT.png", "The picture to write; - is standard output").required();
-    add(app, "--size", given->size, "WIDTHxHEIGHT", "In pixels");
-    add(app, "--samples", given->samples, "N", "Samples a pixel, against jagged edges: 1, 2 or 4");
-    add(app, "--context", given->context, "KIND",
-        "What draws: osmesa (software), egl (a graphics processor, or software), or auto: osmesa where it is "
-        "installed, else egl");
-    app.add_flag("--panel", given->command.panel, "Draw the interface too");
-    add(app, "--tab", given->command.tab, "NAME",
-        "Draw the interface, with a tab open beside the picture: derivation, stack, maps or error");
-    add_settings(app, given->command.settings);
+    given->picture.add_to(app, given->command);
     CLI::Option& numbers =
         add(app, "--numbers", given->numbers, "OUT.json",
             "Write what the picture means as JSON: matrices, angles, the probe; - is standard output");
     return {&app, [given, &numbers] {
                 CaptureCommand command = given->command;
+                given->picture.read_into(command);
                 command.output = parse_output("--output", given->output);
-                command.size = parse_size("--size", given->size);
-                command.samples = parse_samples("--samples", given->samples);
-                command.context = parse_context("--context", given->context);
                 if (numbers.count() > 0) command.numbers = parse_output("--numbers", given->numbers);
                 if (command.numbers == command.output)
                     throw UsageError("--numbers " + given->numbers +
@@ -151,34 +94,6 @@ Declared declare_scenes(CLI::App& root) {
     CLI::App& app = *root.add_subcommand("scenes", "List the built-in scenes");
     set_up(app, "  normalscope scenes");
     return {&app, [] { return ScenesCommand{}; }};
-}
-
-Declared declare_compare(CLI::App& root) {
-    struct Given {
-        CompareCommand command;
-        std::string actual, expected, diff, tolerance = std::to_string(command.tolerance),
-                                            share = text_of(command.share);
-    };
-    const auto given = std::make_shared<Given>();
-    CLI::App& app = *root.add_subcommand("compare", "Compare two pictures: exit code 0 if they agree, 1 if not");
-    set_up(app,
-           "  normalscope compare actual.png expected.png\n"
-           "  normalscope compare actual.png expected.png --tolerance 0 --share 0 --diff difference.png");
-    add(app, "ACTUAL", given->actual, "", "The picture to judge (.png)").required();
-    add(app, "EXPECTED", given->expected, "", "What it should look like (.png)").required();
-    add(app, "--tolerance", given->tolerance, "N", "How far a channel may be off, of 255");
-    add(app, "--share", given->share, "S", "The share of pixels that may be further off, 0 to 1");
-    CLI::Option& diff = add(app, "--diff", given->diff, "OUT.png",
-                            "Write a picture of both and of where they differ, side by side; - is standard output");
-    return {&app, [given, &diff] {
-                CompareCommand command = given->command;
-                command.actual = given->actual;
-                command.expected = given->expected;
-                command.tolerance = parse_tolerance("--tolerance", given->tolerance);
-                command.share = parse_share("--share", given->share);
-                if (diff.count() > 0) command.diff = parse_output("--diff", given->diff);
-                return command;
-            }};
 }
 
 // ---- What is wrong with a command line ---------------------------------------------------------------------------
@@ -240,8 +155,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     CLI::App root{"Shows what a transformation does to a surface's normals.", "normalscope"};
     root.require_subcommand(0, 1);
     const Declared view = declare_view(root);
-    const std::vector<Declared> commands{declare_capture(root), declare_explain(root), declare_scenes(root),
-                                         declare_compare(root)};
+    const std::vector<Declared> commands{declare_capture(root), declare_sweep(root), declare_explain(root),
+                                         declare_scenes(root), declare_compare(root)};
     const auto chosen = [&]() -> const Declared& {
         for (const Declared& command : commands)
             if (command.app->parsed()) return command;
@@ -253,7 +168,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     } catch (const CLI::CallForHelp&) {
         return Printed{help_text(*chosen().app)};
     } catch (const CLI::CallForVersion&) {
-        return Printed{kVersion + "\n"};
+        return Printed{version_text() + "\n"};
     } catch (const CLI::ParseError& error) {
         refuse(*chosen().app, error);
     }

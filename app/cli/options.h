@@ -3,7 +3,7 @@
 #include "core/context_choice.h"
 #include "core/explain_format.h"
 #include "core/scene_file.h"
-#include "core/scene_json.h"
+#include "core/vary.h"
 
 #include <glm/vec2.hpp>
 
@@ -21,17 +21,30 @@ struct ViewCommand {
     std::vector<std::string> settings;  ///< PATH=VALUE, for with_setting
 };
 
-/// `normalscope capture [FILE] -o OUT.png`
-struct CaptureCommand {
+/// What is drawn, and how: for the commands that draw without a window.
+struct PictureArguments {
     std::string file{kDefaultScene};
-    std::filesystem::path output;
     glm::ivec2 size{1280, 720};
     int samples = 4;
     ContextChoice context = ContextChoice::Auto;
     bool panel = false;
     std::string tab;  ///< beside the picture, with the panel; empty: none
     std::vector<std::string> settings;
+};
+
+/// `normalscope capture [FILE] -o OUT.png`
+struct CaptureCommand : PictureArguments {
+    std::filesystem::path output;
     std::optional<std::filesystem::path> numbers;
+};
+
+/// `normalscope sweep [FILE] --vary PATH=FROM:TO[:COUNT] -o OUT`
+struct SweepCommand : PictureArguments {
+    std::vector<Variation> variations;  ///< one or two
+    std::string output;                 ///< a video's name, or a picture's with one or two places for a number
+    std::optional<std::filesystem::path> sheet, numbers;
+    int jobs = 1;
+    int frames_per_second = 25;
 };
 
 /// `normalscope explain [FILE]`
@@ -57,7 +70,8 @@ struct Printed {
     std::string text;
 };
 
-using Command = std::variant<ViewCommand, CaptureCommand, ExplainCommand, ScenesCommand, CompareCommand, Printed>;
+using Command =
+    std::variant<ViewCommand, CaptureCommand, SweepCommand, ExplainCommand, ScenesCommand, CompareCommand, Printed>;
 
 /// Throws UsageError. An output named "-" comes back as /dev/stdout.
 Command parse_command_line(int argc, const char* const* argv);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace normalscope {
@@ -73,6 +74,40 @@ double parse_share(const std::string& option, const std::string& text) {
     if (error != std::errc{} || end != text.data() + text.size() || !(value >= 0.0 && value <= 1.0))
         fail(option, text, "expected a number from 0 to 1, such as 0.001");
     return value;
+}
+
+int parse_count(const std::string& option, const std::string& text, int most) {
+    const auto value = whole_number(text);
+    if (!value || *value < 1 || *value > most)
+        fail(option, text, "expected a whole number from 1 to " + std::to_string(most));
+    return static_cast<int>(*value);
+}
+
+std::string parse_numbered_output(const std::string& option, const std::string& text, std::size_t count, bool grid) {
+    constexpr std::size_t kMostPictures = 100'000;
+    if (count > kMostPictures)
+        throw UsageError("--vary: that makes " + std::to_string(count) + " pictures; at most " +
+                         std::to_string(kMostPictures) + " are drawn at once");
+    for (const std::string_view video : {".gif", ".mp4", ".webm"})
+        if (text.ends_with(video) && text.find('%') == std::string::npos) return text;
+    std::error_code ignored;
+    const bool like_a_folder =
+        !text.empty() && std::filesystem::path(text).filename().string().find_first_of("%.") == std::string::npos;
+    if (like_a_folder || std::filesystem::is_directory(text, ignored))
+        return (std::filesystem::path(text) / "frame-%03d.png").string();
+
+    int places = 0;
+    for (std::size_t at = text.find('%'); at != std::string::npos; at = text.find('%', at + 1)) {
+        const std::size_t end = text.find_first_not_of("0123456789", at + 1);
+        if (end == std::string::npos || text[end] != 'd' || end - at > 3)
+            fail(option, text, "what follows % must be a number's width, as in %03d");
+        ++places;
+    }
+    if (!text.ends_with(".png") || places < 1 || places > (grid ? 2 : 1))
+        fail(option, text,
+             grid ? "expected frame-%03d.png, frame-%d-%d.png, a folder, or a .gif, .mp4 or .webm"
+                  : "expected a place for the number, as in frame-%03d.png, a folder, or a .gif, .mp4 or .webm");
+    return text;
 }
 
 std::filesystem::path parse_output(const std::string& option, const std::string& text) {

@@ -12,6 +12,9 @@ ContextChoice parse_context(const std::string& option, const std::string& text);
 ExplainFormat parse_format(const std::string& option, const std::string& text);
 int parse_tolerance(const std::string& option, const std::string& text);
 double parse_share(const std::string& option, const std::string& text);
+int parse_count(const std::string& option, const std::string& text, int most);
+/// Where `count` pictures go: a video's name, or a picture's with a place for each number; a folder gets frame-%03d.png.
+std::string parse_numbered_output(const std::string& option, const std::string& text, std::size_t count, bool grid);
 /// "-" is standard output.
 std::filesystem::path parse_output(const std::string& option, const std::string& text);
 

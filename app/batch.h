@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace normalscope {
+
+/// What is left to be done for a picture once it is drawn, such as encoding it; it runs in another thread, and gives the
+/// text that `done` is told.
+using Finish = std::function<std::string()>;
+
+/// Many pictures by one or more processes, each of which draws with a context of its own.
+struct Batch {
+    std::size_t count = 0;
+    int jobs = 1;
+    /// Called once in each process; gives what draws picture i, for any of 0 … count − 1.
+    std::function<std::function<Finish(std::size_t i)>()> start;
+    /// Called in this process alone, one call at a time, in the order in which the pictures are finished.
+    std::function<void(std::size_t i, std::string text)> done;
+};
+
+/// False where it was cancelled (see CancelOnSignal); what was done until then is whole. Throws what `start`, drawing and
+/// finishing throw, and InputError where a process ends early.
+bool run_batch(const Batch& batch);
+
+}  // namespace normalscope

@@ -1,0 +1,19 @@
+#pragma once
+
+namespace normalscope {
+
+/// While one lives, the first Ctrl+C (or SIGTERM) ends nothing by itself: whoever works asks `asked` between two
+/// pictures, and leaves whole files behind. A second one ends the program at once.
+class CancelOnSignal {
+public:
+    CancelOnSignal();
+    ~CancelOnSignal();
+    CancelOnSignal(const CancelOnSignal&) = delete;
+    CancelOnSignal& operator=(const CancelOnSignal&) = delete;
+
+    static bool asked();
+    /// As shells have it: 130 for Ctrl+C.
+    static int exit_code();
+};
+
+}  // namespace normalscope

@@ -1,0 +1,71 @@
+#include "cli/declare.h"
+
+#include "cli/values.h"
+
+#include <config.h>
+
+#include <sstream>
+
+namespace normalscope {
+
+std::string version_text() { return "normalscope " NORMALSCOPE_VERSION; }
+
+std::string text_of(glm::ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
+std::string text_of(double number) {
+    std::ostringstream text;
+    text << number;
+    return text.str();
+}
+
+void set_up(CLI::App& app, const std::string& examples) {
+    app.set_help_flag("-h,--help", "Print this help");
+    app.set_version_flag("--version", version_text(), "Print the version");
+    app.footer("Examples:\n" + examples);
+    app.allow_extras();  // they are answered by refuse_extras
+    app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
+CLI::Option& add(CLI::App& app, const std::string& name, std::string& value, const std::string& word,
+                 const std::string& help) {
+    CLI::Option& option = *app.add_option(name, value, help)->type_name(word);
+    if (!value.empty()) option.capture_default_str();
+    return option;
+}
+
+CLI::Option& add_file(CLI::App& app, std::string& value) {
+    return add(app, "FILE", value, "",
+               "A scene (.json), a mesh (.obj, .ply, .stl), or the name of a built-in scene (see normalscope scenes)");
+}
+
+CLI::Option& add_list(CLI::App& app, const std::string& name, std::vector<std::string>& value, const std::string& word,
+                      const std::string& help) {
+    return *app.add_option(name, value, help)
+                ->type_name(word)
+                ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+                ->allow_extra_args(false);  // one value each, or it would eat the FILE after it
+}
+
+void add_settings(CLI::App& app, std::vector<std::string>& value) {
+    add_list(app, "--set", value, "PATH=VALUE",
+             "Change the scene: a dotted path and a JSON value, where a bare word is a string; may be given again");
+}
+
+void GivenPicture::add_to(CLI::App& app, PictureArguments& arguments) {
+    add(app, "--size", size, "WIDTHxHEIGHT", "In pixels");
+    add(app, "--samples", samples, "N", "Samples a pixel, against jagged edges: 1, 2 or 4");
+    add(app, "--context", context, "KIND",
+        "What draws: osmesa (software), egl (a graphics processor, or software), or auto: osmesa where it is "
+        "installed, else egl");
+    app.add_flag("--panel", arguments.panel, "Draw the interface too");
+    add(app, "--tab", arguments.tab, "NAME",
+        "Draw the interface, with a tab open beside the picture: derivation, stack, maps or error");
+    add_settings(app, arguments.settings);
+}
+
+void GivenPicture::read_into(PictureArguments& arguments) const {
+    arguments.size = parse_size("--size", size);
+    arguments.samples = parse_samples("--samples", samples);
+    arguments.context = parse_context("--context", context);
+}
+
+}  // namespace normalscope

@@ -1,0 +1,50 @@
+#pragma once
+
+// What the declarations of the commands share. Each option is declared once, its help beside it.
+
+#include "cli/options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <string>
+
+namespace normalscope {
+
+/// A declared command, and what its options make. Values stay text while CLI11 parses, and are read by `make`: CLI11's
+/// own messages differ from version to version.
+struct Declared {
+    CLI::App* app;
+    std::function<Command()> make;
+};
+
+/// "normalscope 0.1.0"
+std::string version_text();
+std::string text_of(glm::ivec2 size);
+std::string text_of(double number);
+
+/// What every command has, and how it treats its options.
+void set_up(CLI::App& app, const std::string& examples);
+/// An option or an argument; what is in `value` already is its default.
+CLI::Option& add(CLI::App& app, const std::string& name, std::string& value, const std::string& word,
+                 const std::string& help);
+/// One that may be given again and again.
+CLI::Option& add_list(CLI::App& app, const std::string& name, std::vector<std::string>& value, const std::string& word,
+                      const std::string& help);
+CLI::Option& add_file(CLI::App& app, std::string& value);
+void add_settings(CLI::App& app, std::vector<std::string>& value);
+
+/// The options of PictureArguments, but for the file.
+struct GivenPicture {
+    std::string size{text_of(PictureArguments{}.size)}, samples{std::to_string(PictureArguments{}.samples)},
+        context{"auto"};
+
+    void add_to(CLI::App& app, PictureArguments& arguments);
+    void read_into(PictureArguments& arguments) const;
+};
+
+// The commands that make or judge many pictures; the others are declared where the command line is parsed.
+Declared declare_sweep(CLI::App& root);
+Declared declare_compare(CLI::App& root);
+
+}  // namespace normalscope

@@ -1,0 +1,87 @@
+// The commands that make or judge many pictures.
+
+#include "cli/declare.h"
+#include "cli/values.h"
+#include "core/error.h"
+
+#include <memory>
+
+namespace normalscope {
+
+Declared declare_sweep(CLI::App& root) {
+    struct Given {
+        SweepCommand command;
+        GivenPicture picture;
+        std::vector<std::string> vary;
+        std::string output, sheet, numbers, jobs = std::to_string(command.jobs),
+                                            fps = std::to_string(command.frames_per_second);
+    };
+    const auto given = std::make_shared<Given>();
+    CLI::App& app = *root.add_subcommand("sweep", "Draw many pictures while something varies, or a video of them");
+    set_up(app,
+           "  normalscope sweep --vary stack.0.scale.1=1:3:100 -o frames/\n"
+           "  normalscope sweep shear --vary camera.azimuth=0:360:90 -o turn.gif --size 640x360\n"
+           "  normalscope sweep bunny.obj --vary stack.0.scale.0=0.2:2:5 --vary light.azimuth=-90:90:3 \\\n"
+           "      -o 'bunny-%d-%d.png' --sheet bunny.png");
+    add_file(app, given->command.file).capture_default_str();
+    add_list(
+        app, "--vary", given->vary, "PATH=FROM:TO[:COUNT]",
+        "What varies: a dotted path as for --set, its first and its last value (numbers, or arrays of them), and how "
+        "many values [25, or 5 each where two vary]; given twice, every value of one with every value of the other")
+        .required();
+    add(app, "-o,--output", given->output, "OUT",
+        "frame-%03d.png, where %03d becomes the picture's number from 0 on (two such places: its row's and its "
+        "column's); a folder; or, with ffmpeg installed, a .gif, .mp4 or .webm")
+        .required();
+    CLI::Option& sheet = add(app, "--sheet", given->sheet, "OUT.png", "Write all the pictures on one sheet, too");
+    given->picture.add_to(app, given->command);
+    CLI::Option& numbers = add(app, "--numbers", given->numbers, "OUT.json",
+                               "Write what each picture means, as an array in their order; - is standard output");
+    add(app, "--jobs", given->jobs, "N", "Processes that draw at once");
+    add(app, "--fps", given->fps, "N", "Pictures a second in a video");
+    return {&app, [given, &sheet, &numbers] {
+                SweepCommand command = given->command;
+                given->picture.read_into(command);
+                if (given->vary.size() > 2) throw UsageError("--vary: at most two keys vary at once");
+                for (const std::string& text : given->vary)
+                    command.variations.push_back(parse_variation(text, given->vary.size() == 1 ? 25 : 5));
+                std::size_t pictures = 1;
+                for (const Variation& v : command.variations) pictures *= v.values.size();
+                command.output = parse_numbered_output("--output", given->output, pictures, given->vary.size() == 2);
+                if (sheet.count() > 0) command.sheet = parse_output("--sheet", given->sheet);
+                if (numbers.count() > 0) command.numbers = parse_output("--numbers", given->numbers);
+                command.jobs = parse_count("--jobs", given->jobs, 256);
+                command.frames_per_second = parse_count("--fps", given->fps, 240);
+                return command;
+            }};
+}
+
+Declared declare_compare(CLI::App& root) {
+    struct Given {
+        CompareCommand command;
+        std::string actual, expected, diff, tolerance = std::to_string(command.tolerance),
+                                            share = text_of(command.share);
+    };
+    const auto given = std::make_shared<Given>();
+    CLI::App& app = *root.add_subcommand("compare", "Compare two pictures: exit code 0 if they agree, 1 if not");
+    set_up(app,
+           "  normalscope compare actual.png expected.png\n"
+           "  normalscope compare actual.png expected.png --tolerance 0 --share 0 --diff difference.png");
+    add(app, "ACTUAL", given->actual, "", "The picture to judge (.png)").required();
+    add(app, "EXPECTED", given->expected, "", "What it should look like (.png)").required();
+    add(app, "--tolerance", given->tolerance, "N", "How far a channel may be off, of 255");
+    add(app, "--share", given->share, "S", "The share of pixels that may be further off, 0 to 1");
+    CLI::Option& diff = add(app, "--diff", given->diff, "OUT.png",
+                            "Write a picture of both and of where they differ, side by side; - is standard output");
+    return {&app, [given, &diff] {
+                CompareCommand command = given->command;
+                command.actual = given->actual;
+                command.expected = given->expected;
+                command.tolerance = parse_tolerance("--tolerance", given->tolerance);
+                command.share = parse_share("--share", given->share);
+                if (diff.count() > 0) command.diff = parse_output("--diff", given->diff);
+                return command;
+            }};
+}
+
+}  // namespace normalscope
