@@ -31,8 +31,11 @@ int run(const Printed& command) {
 }
 
 int run(const ScenesCommand&) {
+    const std::vector<BuiltInScene> scenes = built_in_scenes();
+    std::size_t width = 0;
+    for (const BuiltInScene& scene : scenes) width = std::max(width, scene.name.size() + 2);
     std::string list;
-    for (const BuiltInScene& scene : built_in_scenes()) list += padded(scene.name, 16) + scene.about + "\n";
+    for (const BuiltInScene& scene : scenes) list += padded(scene.name, width) + scene.about + "\n";
     write_file("/dev/stdout", list);
     return 0;
 }
