@@ -21,7 +21,7 @@ uniform mat3 inverse_transpose_matrix;
 uniform vec3 ramp[6];
 #endif
 
-out vec4 color;
+out vec4 color;  // times alpha
 
 // Colours are sRGB. Squares and square roots stand in for its curve: near enough to the eye, and flat colours come out
 // exactly as they went in.
@@ -39,7 +39,7 @@ void main() {
 #endif
     float size = length(world_normal);
     if (size == 0.0) {  // no normal, no light: flat colour says so
-        color = vec4(base * (1.0 - zero_is_black), base_color.a);
+        color = vec4(base * (1.0 - zero_is_black), 1.0) * base_color.a;
         return;
     }
     vec3 n = unit_at_pixels > 0.5 ? world_normal / size : world_normal;
@@ -63,5 +63,5 @@ void main() {
         alpha *= 0.2 + 0.8 * rim * rim;
         c = to_light(base);
     }
-    color = vec4(to_srgb(c), alpha);
+    color = vec4(to_srgb(c), 1.0) * alpha;
 }

@@ -2,7 +2,7 @@
 // One program for all three, since a software driver compiles each anew: that is most of what a cold capture waits for.
 layout(location = 0) in vec3 position;     // of an arrow: around its axis, in shaft radii; 0 base, 1 neck, 2 tip along it
 layout(location = 1) in vec3 normal;       // of an arrow: in the same frame
-layout(location = 2) in vec4 tint;         // sRGB; a constant where there is one colour for all
+layout(location = 2) in vec4 own_color;    // sRGB
 layout(location = 3) in vec3 site_point;   // of an arrow: the surface's point and normal there, in object space
 layout(location = 4) in vec3 site_normal;
 
@@ -15,6 +15,7 @@ uniform float unit_at_vertices;  // made of unit length here: 0 not, 1 without w
 uniform float arrow_length;  // 0: no arrow
 uniform float shaft_radius;
 uniform float head_length;
+uniform vec4 tint;           // sRGB; alpha 0: each vertex has its own colour
 
 out vec3 world_position;
 out vec3 world_normal;
@@ -46,7 +47,7 @@ void main() {
     }
     world_position = world.xyz;
     world_normal = direction;
-    base_color = tint;
+    base_color = tint.a > 0.0 ? tint : own_color;
 #ifdef ERROR_MAP
     object_normal = normal;
 #endif

@@ -45,6 +45,7 @@ struct SceneProgram : Program {
     Slot<float> color_coded{*this, "color_coded"};
     Slot<glm::vec3> inside_color{*this, "inside_color"};
     Slot<float> ghost{*this, "ghost"};
+    Slot<glm::vec4> tint{*this, "tint"};
 };
 
 /// The mesh, coloured by the naive rule's error.

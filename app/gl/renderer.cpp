@@ -49,6 +49,7 @@ void Renderer::Resources::begin(const SceneProgram& program, const Frame& frame,
     program.outside = 0.0f;
     program.color_coded = 1.0f;
     program.zero_is_black = 0.0f;
+    program.tint = glm::vec4(0.0f);
 }
 
 void Renderer::Resources::set_normals(const SceneProgram& program, const NormalMap& normals) {
@@ -94,7 +95,7 @@ void Renderer::Resources::draw_surface(const Frame& frame, const Pane& pane, con
     program->outside = draw.outside;
     program->color_coded = 0.0f;
     program->inside_color = draw.inside_color;
-    set_tint(draw.color);
+    program->tint = draw.color;
     const bool ghost = draw.color.a < 1.0f;
     program->ghost = ghost ? 1.0f : 0.0f;
     if (draw.cull != SurfaceDraw::Cull::None) glEnable(GL_CULL_FACE);
@@ -111,7 +112,7 @@ void Renderer::Resources::draw_arrows(const Frame& frame, const Pane& pane) {
     for (const ArrowDraw& draw : pane.arrows) {
         scene_program.world_from_object = draw.world_from_object;
         set_normals(scene_program, draw.normals);
-        set_tint(glm::vec4(draw.color, 1.0f));
+        scene_program.tint = glm::vec4(draw.color, 1.0f);
         scene_program.arrow_length = draw.length;
         scene_program.shaft_radius = draw.radius;
         scene_program.head_length =
@@ -135,7 +136,7 @@ void Renderer::draw(const Frame& frame, int framebuffer_height) {
     resources_->hold(frame.surface);
     glEnable(GL_SCISSOR_TEST);
     glDepthFunc(GL_LEQUAL);
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     for (const Pane& pane : frame.panes) {
         const int bottom = framebuffer_height - pane.rect.origin.y - pane.rect.size.y;
         glViewport(pane.rect.origin.x, bottom, pane.rect.size.x, pane.rect.size.y);

@@ -1,6 +1,8 @@
 #include "gl/vertex_data.h"
 
+#include <glm/common.hpp>
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/type_precision.hpp>
 
 #include <array>
 #include <cmath>
@@ -11,7 +13,7 @@ namespace normalscope {
 
 namespace {
 
-constexpr GLuint kPosition = 0, kNormal = 1, kTint = 2, kSitePoint = 3, kSiteNormal = 4;  // scene.vert
+constexpr GLuint kPosition = 0, kNormal = 1, kOwnColor = 2, kSitePoint = 3, kSiteNormal = 4;  // scene.vert
 
 void bind_and_fill(const GlBuffer& buffer, GLenum kind, std::size_t bytes, const void* data,
                    GLenum usage = GL_STATIC_DRAW) {
@@ -19,20 +21,41 @@ void bind_and_fill(const GlBuffer& buffer, GLenum kind, std::size_t bytes, const
     glBufferData(kind, static_cast<GLsizeiptr>(bytes), data, usage);
 }
 
-void attribute(GLuint index, GLint components, std::size_t stride, std::size_t offset, GLuint divisor = 0) {
+void attribute(GLuint index, GLint components, GLenum type, std::size_t stride, std::size_t offset,
+               GLuint divisor = 0) {
     glEnableVertexAttribArray(index);
-    glVertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+    glVertexAttribPointer(index, components, type, type == GL_UNSIGNED_BYTE, static_cast<GLsizei>(stride),
                           reinterpret_cast<const void*>(offset));
     glVertexAttribDivisor(index, divisor);
 }
 
-/// What the GPU holds of a mesh's vertex, a site or an arrow's corner.
-struct PointAndNormal {
+struct Vertex {
+    glm::vec3 position, normal;
+    glm::u8vec4 own_color{0};
+};
+
+struct SiteVertex {
     glm::vec3 point, normal;
 };
 
+void fill_scene_vertices(const GlVertexArray& array, const GlBuffer& vertices, std::span<const Vertex> data) {
+    glBindVertexArray(array.id());
+    bind_and_fill(vertices, GL_ARRAY_BUFFER, data.size_bytes(), data.data());
+    attribute(kPosition, 3, GL_FLOAT, sizeof(Vertex), offsetof(Vertex, position));
+    attribute(kNormal, 3, GL_FLOAT, sizeof(Vertex), offsetof(Vertex, normal));
+    attribute(kOwnColor, 4, GL_UNSIGNED_BYTE, sizeof(Vertex), offsetof(Vertex, own_color));
+}
+
+constexpr std::array<SiteVertex, 1> kNoSites{};  // for what is no arrow
+
+void fill_sites(const GlBuffer& sites, std::span<const SiteVertex> data) {
+    bind_and_fill(sites, GL_ARRAY_BUFFER, data.size_bytes(), data.data());
+    attribute(kSitePoint, 3, GL_FLOAT, sizeof(SiteVertex), offsetof(SiteVertex, point), 1);
+    attribute(kSiteNormal, 3, GL_FLOAT, sizeof(SiteVertex), offsetof(SiteVertex, normal), 1);
+}
+
 // The fewer arrows, the rounder each: their triangles are what a frame costs on a processor.
-std::vector<PointAndNormal> arrow_shape(int sides) {
+std::vector<Vertex> arrow_shape(int sides) {
     // Where a ring of the arrow lies, how wide it is, and how its normals face.
     struct Ring {
         float along, radius, outward, axial;
@@ -43,13 +66,13 @@ std::vector<PointAndNormal> arrow_shape(int sides) {
         {{{1.0f, ArrowProportions::kHeadRadius, 0.0f, -1.0f}, {1.0f, 0.0f, 0.0f, -1.0f}}},    // under the head
         {{{1.0f, ArrowProportions::kHeadRadius, 1.0f, kSlant}, {2.0f, 0.0f, 1.0f, kSlant}}},  // head
     }};
-    std::vector<PointAndNormal> corners;
+    std::vector<Vertex> corners;
     for (const auto& [from, to] : kBands) {
         for (int i = 0; i < sides; ++i) {
             const auto corner = [&](const Ring& ring, int side) {
                 const float a = glm::two_pi<float>() * static_cast<float>(side % sides) / static_cast<float>(sides);
                 const glm::vec2 out(std::cos(a), std::sin(a));
-                return PointAndNormal{{ring.radius * out, ring.along}, {ring.outward * out, ring.axial}};
+                return Vertex{{ring.radius * out, ring.along}, {ring.outward * out, ring.axial}};
             };
             const std::array quad{corner(from, i), corner(from, i + 1), corner(to, i + 1), corner(to, i)};
             // A ring without radius closes the band to a point: one triangle of each quad is enough.
@@ -67,13 +90,11 @@ std::vector<PointAndNormal> arrow_shape(int sides) {
 
 }  // namespace
 
-void set_tint(const glm::vec4& color) { glVertexAttrib4f(kTint, color.r, color.g, color.b, color.a); }
-
 PaneVertices::PaneVertices() {
     constexpr std::array kCorners{-1.0f, -1.0f, 3.0f, -1.0f, -1.0f, 3.0f};
     glBindVertexArray(array_.id());
     bind_and_fill(corners_, GL_ARRAY_BUFFER, sizeof kCorners, kCorners.data());
-    attribute(0, 2, 2 * sizeof(float), 0);
+    attribute(0, 2, GL_FLOAT, 2 * sizeof(float), 0);
 }
 
 void PaneVertices::draw() const {
@@ -82,12 +103,10 @@ void PaneVertices::draw() const {
 }
 
 MeshVertices::MeshVertices(const Mesh& mesh) : index_count_(static_cast<GLsizei>(3 * mesh.triangles.size())) {
-    std::vector<PointAndNormal> vertices(mesh.positions.size());
+    std::vector<Vertex> vertices(mesh.positions.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = {mesh.positions[i], mesh.normals[i]};
-    glBindVertexArray(array_.id());
-    bind_and_fill(vertices_, GL_ARRAY_BUFFER, vertices.size() * sizeof(PointAndNormal), vertices.data());
-    attribute(kPosition, 3, sizeof(PointAndNormal), offsetof(PointAndNormal, point));
-    attribute(kNormal, 3, sizeof(PointAndNormal), offsetof(PointAndNormal, normal));
+    fill_scene_vertices(array_, vertices_, vertices);
+    fill_sites(no_sites_, kNoSites);
     bind_and_fill(indices_, GL_ELEMENT_ARRAY_BUFFER, mesh.triangles.size() * sizeof(glm::uvec3), mesh.triangles.data());
 }
 
@@ -97,17 +116,12 @@ void MeshVertices::draw() const {
 }
 
 ArrowVertices::ArrowVertices(std::span<const Site> sites) : site_count_(static_cast<GLsizei>(sites.size())) {
-    const std::vector<PointAndNormal> shape = arrow_shape(sites.size() > 400 ? 6 : 8);
+    const std::vector<Vertex> shape = arrow_shape(sites.size() > 400 ? 6 : 8);
     shape_count_ = static_cast<GLsizei>(shape.size());
-    std::vector<PointAndNormal> instances(sites.size());
+    std::vector<SiteVertex> instances(sites.size());
     for (std::size_t i = 0; i < instances.size(); ++i) instances[i] = {sites[i].point.xyz, sites[i].normal.xyz};
-    glBindVertexArray(array_.id());
-    bind_and_fill(shape_, GL_ARRAY_BUFFER, shape.size() * sizeof(PointAndNormal), shape.data());
-    attribute(kPosition, 3, sizeof(PointAndNormal), offsetof(PointAndNormal, point));
-    attribute(kNormal, 3, sizeof(PointAndNormal), offsetof(PointAndNormal, normal));
-    bind_and_fill(sites_, GL_ARRAY_BUFFER, instances.size() * sizeof(PointAndNormal), instances.data());
-    attribute(kSitePoint, 3, sizeof(PointAndNormal), offsetof(PointAndNormal, point), 1);
-    attribute(kSiteNormal, 3, sizeof(PointAndNormal), offsetof(PointAndNormal, normal), 1);
+    fill_scene_vertices(array_, shape_, shape);
+    fill_sites(sites_, instances);
 }
 
 void ArrowVertices::draw() const {
@@ -117,17 +131,17 @@ void ArrowVertices::draw() const {
 }
 
 SolidVertices::SolidVertices() {
-    glBindVertexArray(array_.id());
-    glBindBuffer(GL_ARRAY_BUFFER, vertices_.id());
-    attribute(kPosition, 3, sizeof(SolidVertex), offsetof(SolidVertex, position));
-    attribute(kNormal, 3, sizeof(SolidVertex), offsetof(SolidVertex, normal));
-    attribute(kTint, 4, sizeof(SolidVertex), offsetof(SolidVertex, color));
+    fill_scene_vertices(array_, vertices_, {});
+    fill_sites(no_sites_, kNoSites);
 }
 
 void SolidVertices::draw(const Solids& solids) {
     if (solids.empty()) return;
+    std::vector<Vertex> vertices(solids.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        vertices[i] = {solids[i].position, solids[i].normal, glm::u8vec4(glm::round(255.0f * solids[i].color))};
     glBindVertexArray(array_.id());
-    bind_and_fill(vertices_, GL_ARRAY_BUFFER, solids.size() * sizeof(SolidVertex), solids.data(), GL_STREAM_DRAW);
+    bind_and_fill(vertices_, GL_ARRAY_BUFFER, vertices.size() * sizeof(Vertex), vertices.data(), GL_STREAM_DRAW);
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(solids.size()));
 }
 

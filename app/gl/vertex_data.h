@@ -9,10 +9,8 @@
 
 namespace normalscope {
 
-// Vertex arrays and the buffers behind them; the attribute numbers are those in the shaders.
-
-/// The colour (sRGB) of vertices that have none of their own.
-void set_tint(const glm::vec4& color);
+// Vertex arrays and the buffers behind them; the attribute numbers are those in the shaders. What scene.vert draws has
+// one layout, used or not: a software driver compiles the shader anew for each layout.
 
 /// A triangle over the whole pane.
 class PaneVertices {
@@ -33,7 +31,7 @@ public:
 
 private:
     GlVertexArray array_;
-    GlBuffer vertices_, indices_;
+    GlBuffer vertices_, no_sites_, indices_;
     GLsizei index_count_ = 0;
 };
 
@@ -57,7 +55,7 @@ public:
 
 private:
     GlVertexArray array_;
-    GlBuffer vertices_;
+    GlBuffer vertices_, no_sites_;
 };
 
 }  // namespace normalscope
