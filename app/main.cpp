@@ -52,7 +52,7 @@ int run(const CaptureCommand& command) {
         Studio(command.context).capture(scene, capture_options(command, command.numbers.has_value()));
     write_png(command.output, result.image);
     if (command.numbers) write_file(*command.numbers, result.numbers);
-    return 0;
+    return command.expected ? compare_capture(command, result.image) : 0;
 }
 
 int run(const SweepCommand& command) { return sweep(command); }

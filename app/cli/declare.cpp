@@ -68,4 +68,21 @@ void GivenPicture::read_into(PictureArguments& arguments) const {
     arguments.context = parse_context("--context", context);
 }
 
+void GivenTolerance::add_to(CLI::App& app) {
+    add(app, "--tolerance", channel, "N", "How far a pixel may be off in any channel, of 255");
+    add(app, "--share", share, "S", "The share of pixels that may be further off, 0 to 1");
+    app.add_flag(
+        "--perceptual", perceived,
+        "Judge by how far apart colours look, as greys N steps apart do, and forgive pixels that only smooth an "
+        "edge");
+}
+
+Tolerance GivenTolerance::read() const {
+    return {parse_tolerance("--tolerance", channel), parse_share("--share", share), perceived};
+}
+
+bool GivenTolerance::given(const CLI::App& app) const {
+    return app.count("--tolerance") + app.count("--share") + app.count("--perceptual") > 0;
+}
+
 }  // namespace normalscope

@@ -43,6 +43,17 @@ struct GivenPicture {
     void read_into(PictureArguments& arguments) const;
 };
 
+/// The options of Tolerance.
+struct GivenTolerance {
+    std::string channel{std::to_string(Tolerance{}.channel)}, share{text_of(Tolerance{}.share)};
+    bool perceived = false;
+
+    void add_to(CLI::App& app);
+    Tolerance read() const;
+    /// Whether any of them was given, of the command that they were added to.
+    bool given(const CLI::App& app) const;
+};
+
 // The commands that make or judge many pictures; the others are declared where the command line is parsed.
 Declared declare_sweep(CLI::App& root);
 Declared declare_compare(CLI::App& root);

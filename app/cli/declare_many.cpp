@@ -59,8 +59,8 @@ Declared declare_sweep(CLI::App& root) {
 Declared declare_compare(CLI::App& root) {
     struct Given {
         CompareCommand command;
-        std::string actual, expected, diff, tolerance = std::to_string(command.tolerance),
-                                            share = text_of(command.share);
+        GivenTolerance tolerance;
+        std::string actual, expected, diff;
     };
     const auto given = std::make_shared<Given>();
     CLI::App& app = *root.add_subcommand("compare", "Compare two pictures: exit code 0 if they agree, 1 if not");
@@ -69,16 +69,15 @@ Declared declare_compare(CLI::App& root) {
            "  normalscope compare actual.png expected.png --tolerance 0 --share 0 --diff difference.png");
     add(app, "ACTUAL", given->actual, "", "The picture to judge (.png)").required();
     add(app, "EXPECTED", given->expected, "", "What it should look like (.png)").required();
-    add(app, "--tolerance", given->tolerance, "N", "How far a channel may be off, of 255");
-    add(app, "--share", given->share, "S", "The share of pixels that may be further off, 0 to 1");
+    given->tolerance.add_to(app);
+    app.add_flag("--json", given->command.json, "Print all that was measured as JSON, in place of the line");
     CLI::Option& diff = add(app, "--diff", given->diff, "OUT.png",
                             "Write a picture of both and of where they differ, side by side; - is standard output");
     return {&app, [given, &diff] {
                 CompareCommand command = given->command;
                 command.actual = given->actual;
                 command.expected = given->expected;
-                command.tolerance = parse_tolerance("--tolerance", given->tolerance);
-                command.share = parse_share("--share", given->share);
+                command.tolerance = given->tolerance.read();
                 if (diff.count() > 0) command.diff = parse_output("--diff", given->diff);
                 return command;
             }};

@@ -38,7 +38,8 @@ Declared declare_capture(CLI::App& root) {
     struct Given {
         CaptureCommand command;
         GivenPicture picture;
-        std::string output, numbers;
+        GivenTolerance tolerance;
+        std::string output, numbers, expected;
     };
     const auto given = std::make_shared<Given>();
     CLI::App& app = *root.add_subcommand("capture", "Draw a picture offscreen, without a display");
@@ -46,6 +47,7 @@ Declared declare_capture(CLI::App& root) {
            "  normalscope capture -o sphere.png\n"
            "  normalscope capture bunny.obj -o bunny.png --set 'stack.0.scale=[1,2,1]' --set rule=naive\n"
            "  normalscope capture lecture.json -o lecture.png --size 1920x1080 --numbers lecture.numbers.json\n"
+           "  normalscope capture wing.json -o wing.png --expect references/wing.png --tolerance 3\n"
            "  normalscope capture shear -o - | display");
     add_file(app, given->command.file).capture_default_str();
     add(app, "-o,--output", given->output, "OUT.png", "The picture to write; - is standard output").required();
@@ -53,7 +55,11 @@ Declared declare_capture(CLI::App& root) {
     CLI::Option& numbers =
         add(app, "--numbers", given->numbers, "OUT.json",
             "Write what the picture means as JSON: matrices, angles, the probe; - is standard output");
-    return {&app, [given, &numbers] {
+    CLI::Option& expected = add(app, "--expect", given->expected, "REF.png",
+                                "Compare with an earlier picture: exit code 1 if they differ, and then leave "
+                                "OUT.expected.png and OUT.difference.png beside OUT.png");
+    given->tolerance.add_to(app);
+    return {&app, [given, &app, &numbers, &expected] {
                 CaptureCommand command = given->command;
                 given->picture.read_into(command);
                 command.output = parse_output("--output", given->output);
@@ -61,6 +67,18 @@ Declared declare_capture(CLI::App& root) {
                 if (command.numbers == command.output)
                     throw UsageError("--numbers " + given->numbers +
                                      ": the picture goes there already; write one of them elsewhere");
+                if (expected.count() > 0) {
+                    command.expected = given->expected;
+                    if (command.output == "/dev/stdout")
+                        throw UsageError("--expect " + given->expected +
+                                         ": needs a file for --output, beside which to leave a difference");
+                    if (command.numbers == "/dev/stdout")
+                        throw UsageError("--expect " + given->expected +
+                                         ": its result goes to standard output; write --numbers to a file");
+                } else if (given->tolerance.given(app)) {
+                    throw UsageError("--tolerance, --share, --perceptual: they go with --expect, which is missing");
+                }
+                command.tolerance = given->tolerance.read();
                 return command;
             }};
 }

@@ -2,6 +2,7 @@
 
 #include "core/context_choice.h"
 #include "core/explain_format.h"
+#include "core/image_difference.h"
 #include "core/scene_file.h"
 #include "core/vary.h"
 
@@ -35,7 +36,8 @@ struct PictureArguments {
 /// `normalscope capture [FILE] -o OUT.png`
 struct CaptureCommand : PictureArguments {
     std::filesystem::path output;
-    std::optional<std::filesystem::path> numbers;
+    std::optional<std::filesystem::path> numbers, expected;
+    Tolerance tolerance;  ///< with `expected`
 };
 
 /// `normalscope sweep [FILE] --vary PATH=FROM:TO[:COUNT] -o OUT`
@@ -60,8 +62,8 @@ struct ScenesCommand {};
 /// `normalscope compare ACTUAL EXPECTED`
 struct CompareCommand {
     std::filesystem::path actual, expected;
-    int tolerance = 3;     ///< of 255, in any channel
-    double share = 0.001;  ///< of the pixels may be beyond the tolerance
+    Tolerance tolerance;
+    bool json = false;
     std::optional<std::filesystem::path> diff;
 };
 

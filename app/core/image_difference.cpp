@@ -1,5 +1,7 @@
 #include "core/image_difference.h"
 
+#include "core/perceived_difference.h"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -43,17 +45,25 @@ Color ghost(const std::uint8_t* p) {
     return {pale, pale, pale};
 }
 
-Color verdict(const Image& actual, const Image& expected, glm::ivec2 p, int tolerance) {
+bool is_beyond(const Image& actual, const Image& expected, glm::ivec2 p, int largest, const Tolerance& t) {
+    if (!t.perceived) return largest > t.channel;
+    return largest > 0 && perceived_difference(actual, expected, p) > t.channel &&
+           !smooths_an_edge(actual, expected, p);
+}
+
+Color verdict(const Image& actual, const Image& expected, glm::ivec2 p, const Tolerance& tolerance) {
     const bool in_actual = covers(actual, p), in_expected = covers(expected, p);
     if (!in_actual && !in_expected) return kWhite;
     if (in_actual != in_expected) return kBeyond;
+    const bool comparable = actual.size == expected.size;  // or a pixel's neighbours may not exist
     const int off = std::ranges::max(apart(actual.pixel(p.x, p.y), expected.pixel(p.x, p.y)));
-    return off > tolerance ? kBeyond : off > 0 ? kWithin : ghost(expected.pixel(p.x, p.y));
+    if (comparable ? is_beyond(actual, expected, p, off, tolerance) : off > tolerance.channel) return kBeyond;
+    return off > 0 ? kWithin : ghost(expected.pixel(p.x, p.y));
 }
 
 }  // namespace
 
-ImageDifference image_difference(const Image& actual, const Image& expected, int tolerance) {
+ImageDifference image_difference(const Image& actual, const Image& expected, const Tolerance& tolerance) {
     ImageDifference result;
     std::array<std::int64_t, 4> sums{};
     for (int y = 0; y < expected.size.y; ++y)
@@ -64,7 +74,16 @@ ImageDifference image_difference(const Image& actual, const Image& expected, int
                 sums[c] += off[c];
             }
             const int largest = std::ranges::max(off);
-            if (largest > tolerance) ++result.pixels_beyond;
+            if (largest > tolerance.channel) ++result.pixels_beyond;
+            if (largest > 0) {
+                const double seen = perceived_difference(actual, expected, {x, y});
+                const bool edge = seen > tolerance.channel && smooths_an_edge(actual, expected, {x, y});
+                if (edge)
+                    ++result.edges_forgiven;
+                else
+                    result.most_seen = std::max(result.most_seen, seen);
+                if (seen > tolerance.channel && !edge) ++result.seen_beyond;
+            }
             if (largest > result.worst_by) {
                 result.worst_by = largest;
                 result.worst = {x, y};
@@ -73,10 +92,11 @@ ImageDifference image_difference(const Image& actual, const Image& expected, int
     const double pixels = static_cast<double>(expected.size.x) * expected.size.y;
     for (std::size_t c = 0; c < 4; ++c) result.mean[c] = static_cast<double>(sums[c]) / pixels;
     result.share_beyond = static_cast<double>(result.pixels_beyond) / pixels;
+    result.share_seen = static_cast<double>(result.seen_beyond) / pixels;
     return result;
 }
 
-Image difference_picture(const Image& actual, const Image& expected, int tolerance) {
+Image difference_picture(const Image& actual, const Image& expected, const Tolerance& tolerance) {
     const glm::ivec2 size = glm::max(actual.size, expected.size);
     const int second = size.x + kGapWidth, third = 2 * second;
     Image picture = make_image({third + size.x, size.y});
@@ -94,7 +114,7 @@ Image difference_picture(const Image& actual, const Image& expected, int toleran
     if (actual.size != expected.size) return picture;
 
     const ImageDifference difference = image_difference(actual, expected, tolerance);
-    if (difference.pixels_beyond == 0) return picture;
+    if ((tolerance.perceived ? difference.seen_beyond : difference.pixels_beyond) == 0) return picture;
     constexpr int kReach = 10;  // far enough not to hide the spot's surroundings
     for (int i = -kReach; i <= kReach; ++i)
         for (const glm::ivec2 d : {glm::ivec2{i, -kReach}, {i, kReach}, {-kReach, i}, {kReach, i}}) {

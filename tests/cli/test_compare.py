@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """compare: exit code 0 or 1 with one line of result, and the picture of the difference."""
 
+import json
 import unittest
 
-from support import CommandTest, chunk, png, png_size, run
+from support import SMALL, CommandTest, chunk, png, png_size, run
 
 
 def grey(*values):
@@ -81,6 +82,46 @@ class CompareTest(CommandTest):
 
     def test_alpha_counts(self):
         self.assertFalse(self.agree(png(1, 1, [[9, 9, 9, 200]], kind=6), png(1, 1, [[9, 9, 9, 255]], kind=6)))
+
+    def test_json(self):
+        done = run("compare", self.file("a.png", grey(0, 0, 9, 99)), self.file("b.png", grey(0, 0, 0, 0)), "--json")
+        result = json.loads(done.stdout)
+        self.assertEqual((done.returncode, result["agree"]), (1, False))
+        self.assertEqual(result["size"], {"actual": [4, 1], "expected": [4, 1]})
+        self.assertEqual(result["pixels"], {"beyond": 2, "share": 0.5})
+        self.assertEqual(result["channels"], {"most": [99, 99, 99, 0], "mean": [27, 27, 27, 0]})
+        self.assertEqual(result["worst"], {"at": [3, 0], "by": 99})
+        self.assertAlmostEqual(result["perceived"]["most"], 99)
+        done = run("compare", self.file("a.png", grey(0)), self.file("b.png", grey(0, 0)), "--json")
+        self.assertEqual((done.returncode, json.loads(done.stdout)["pixels"]), (1, None))
+
+    def test_what_smooths_an_edge_is_forgiven(self):
+        def edge(between):  # a slanted edge from black to white, its smoothed pixels `between`
+            return png(40, 40, [sum(([v] * 3 for v in [0] * (10 + y // 2) + [between] + [255] * (29 - y // 2)), []) for y in range(40)])
+        self.assertFalse(self.agree(edge(90), edge(170)))
+        self.assertTrue(self.agree(edge(90), edge(170), "--perceptual", "--share", "0"))
+        # But not what is another shape, or another colour of a plain area; and a hue counts as it is seen.
+        self.assertFalse(self.agree(png(40, 40, [[0] * 60 + [255] * 60] * 40), png(40, 40, [[0] * 66 + [255] * 54] * 40), "--perceptual"))
+        self.assertFalse(self.agree(grey(*[9] * 9), grey(*[19] * 9), "--perceptual"))
+        self.assertTrue(self.agree(png(9, 1, [[0, 0, 12] * 9]), png(9, 1, [[0, 0, 0] * 9]), "--perceptual", "--tolerance", "6"))
+        # Transparent black against transparent white, and half-transparent white on what is not white.
+        self.assertTrue(self.agree(png(1, 1, [[0, 0, 0, 0]], kind=6), png(1, 1, [[255] * 3 + [0]], kind=6), "--perceptual"))
+        self.assertFalse(self.agree(png(1, 1, [[255] * 3 + [99]], kind=6), png(1, 1, [[255] * 4], kind=6), "--perceptual"))
+
+    def test_capture_and_compare_in_one_step(self):
+        out, reference = self.folder / "out.png", self.file("reference.png", self.capture("split"))
+        step = ("capture", "-o", out, *SMALL, "--expect", reference)
+        self.assertRegex(self.assert_done(*step, "split").decode(), r"\Aagree: .*out.png: 160x120, every pixel is the same\n\Z")
+        self.assertEqual(sorted(self.folder.glob("out.*")), [out])
+        done = run(*step, "split", "--set", "theme=dark")
+        self.assertEqual((done.returncode, done.stderr), (1, b""))
+        self.assertRegex(done.stdout.decode(), r"\Adiffer: .*pixels[^\n]*\n\Z")
+        self.assertEqual((self.folder / "out.expected.png").read_bytes(), reference.read_bytes())
+        self.assertEqual(png_size((self.folder / "out.difference.png").read_bytes()), (3 * 160 + 16, 120))
+        self.assert_done(*step, "split", "--set", "theme=dark", "--tolerance", "255")
+        self.assert_fails(3, *step[:-1], self.folder / "none.png", says=("none.png", f"look at {out} and copy it there"))
+        self.assert_fails(2, *step[:2], "-", *step[3:], says="--expect")
+        self.assert_fails(2, *step[:-2], "--tolerance", "3", says="--expect")
 
     def test_bad_pictures(self):
         good = self.file("good.png", grey(1, 2, 3))
