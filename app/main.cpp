@@ -1,4 +1,5 @@
 #include "capture.h"
+#include "check.h"
 #include "cli/options.h"
 #include "compare.h"
 #include "core/error.h"
@@ -63,6 +64,7 @@ int run(const ExplainCommand& command) {
 }
 
 int run(const CompareCommand& command) { return compare(command); }
+int run(const CheckCommand& command) { return check(command); }
 
 // One line, whatever a file's name holds.
 int fail(int code, std::string reason) {

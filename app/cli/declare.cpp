@@ -50,12 +50,19 @@ void add_settings(CLI::App& app, std::vector<std::string>& value) {
              "Change the scene: a dotted path and a JSON value, where a bare word is a string; may be given again");
 }
 
+void add_context(CLI::App& app, std::string& value) {
+    add(app, "--context", value, "KIND",
+        "What draws: osmesa (software), egl (a graphics processor, or software), or auto: osmesa where it is "
+        "installed, else egl");
+}
+
+void add_jobs(CLI::App& app, std::string& value) { add(app, "--jobs", value, "N", "Processes that draw at once"); }
+int parse_jobs(const std::string& text) { return parse_count("--jobs", text, 256); }
+
 void GivenPicture::add_to(CLI::App& app, PictureArguments& arguments) {
     add(app, "--size", size, "WIDTHxHEIGHT", "In pixels");
     add(app, "--samples", samples, "N", "Samples a pixel, against jagged edges: 1, 2 or 4");
-    add(app, "--context", context, "KIND",
-        "What draws: osmesa (software), egl (a graphics processor, or software), or auto: osmesa where it is "
-        "installed, else egl");
+    add_context(app, context);
     app.add_flag("--panel", arguments.panel, "Draw the interface too");
     add(app, "--tab", arguments.tab, "NAME",
         "Draw the interface, with a tab open beside the picture: derivation, stack, maps or error");

@@ -34,6 +34,10 @@ CLI::Option& add_list(CLI::App& app, const std::string& name, std::vector<std::s
 CLI::Option& add_file(CLI::App& app, std::string& value);
 void add_settings(CLI::App& app, std::vector<std::string>& value);
 
+void add_context(CLI::App& app, std::string& value);
+void add_jobs(CLI::App& app, std::string& value);
+int parse_jobs(const std::string& text);
+
 /// The options of PictureArguments, but for the file.
 struct GivenPicture {
     std::string size{text_of(PictureArguments{}.size)}, samples{std::to_string(PictureArguments{}.samples)},
@@ -57,5 +61,6 @@ struct GivenTolerance {
 // The commands that make or judge many pictures; the others are declared where the command line is parsed.
 Declared declare_sweep(CLI::App& root);
 Declared declare_compare(CLI::App& root);
+Declared declare_check(CLI::App& root);
 
 }  // namespace normalscope

@@ -37,7 +37,7 @@ Declared declare_sweep(CLI::App& root) {
     given->picture.add_to(app, given->command);
     CLI::Option& numbers = add(app, "--numbers", given->numbers, "OUT.json",
                                "Write what each picture means, as an array in their order; - is standard output");
-    add(app, "--jobs", given->jobs, "N", "Processes that draw at once");
+    add_jobs(app, given->jobs);
     add(app, "--fps", given->fps, "N", "Pictures a second in a video");
     return {&app, [given, &sheet, &numbers] {
                 SweepCommand command = given->command;
@@ -50,7 +50,7 @@ Declared declare_sweep(CLI::App& root) {
                 command.output = parse_numbered_output("--output", given->output, pictures, given->vary.size() == 2);
                 if (sheet.count() > 0) command.sheet = parse_output("--sheet", given->sheet);
                 if (numbers.count() > 0) command.numbers = parse_output("--numbers", given->numbers);
-                command.jobs = parse_count("--jobs", given->jobs, 256);
+                command.jobs = parse_jobs(given->jobs);
                 command.frames_per_second = parse_count("--fps", given->fps, 240);
                 return command;
             }};
@@ -79,6 +79,44 @@ Declared declare_compare(CLI::App& root) {
                 command.expected = given->expected;
                 command.tolerance = given->tolerance.read();
                 if (diff.count() > 0) command.diff = parse_output("--diff", given->diff);
+                return command;
+            }};
+}
+
+Declared declare_check(CLI::App& root) {
+    struct Given {
+        CheckCommand command;
+        std::string manifest, results = command.results.string(), junit, report, context = "auto",
+                              jobs = std::to_string(command.jobs);
+    };
+    const auto given = std::make_shared<Given>();
+    CLI::App& app =
+        *root.add_subcommand("check", "Draw a list of scenes and judge them: exit code 0 if all pass, 1 if not");
+    set_up(app,
+           "  normalscope check checks.json\n"
+           "  normalscope check checks.json --junit junit.xml --report report.html\n"
+           "  normalscope check checks.json --update --only wing");
+    add(app, "MANIFEST", given->manifest, "", "Scenes with their references, tolerances and numbers (.json)")
+        .required();
+    add(app, "--results", given->results, "FOLDER",
+        "For the pictures of what does not pass: NAME.png, NAME.expected.png, NAME.difference.png");
+    CLI::Option& junit = add(app, "--junit", given->junit, "OUT.xml", "Write the results as CI services read them");
+    CLI::Option& report =
+        add(app, "--report", given->report, "OUT.html",
+            "Write a page to look at: pictures with a slider, filters, numbers; one file, all within");
+    add(app, "--only", given->command.only, "TEXT", "Only checks with this in their name");
+    app.add_flag("--update", given->command.update,
+                 "Then make what was drawn the reference where it differs; on a terminal, once you have said yes");
+    add_context(app, given->context);
+    add_jobs(app, given->jobs);
+    return {&app, [given, &junit, &report] {
+                CheckCommand command = given->command;
+                command.manifest = given->manifest;
+                command.results = given->results;
+                if (junit.count() > 0) command.junit = given->junit;
+                if (report.count() > 0) command.report = given->report;
+                command.context = parse_context("--context", given->context);
+                command.jobs = parse_jobs(given->jobs);
                 return command;
             }};
 }

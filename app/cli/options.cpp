@@ -173,8 +173,8 @@ Command parse_command_line(int argc, const char* const* argv) {
     CLI::App root{"Shows what a transformation does to a surface's normals.", "normalscope"};
     root.require_subcommand(0, 1);
     const Declared view = declare_view(root);
-    const std::vector<Declared> commands{declare_capture(root), declare_sweep(root), declare_explain(root),
-                                         declare_scenes(root), declare_compare(root)};
+    const std::vector<Declared> commands{declare_capture(root), declare_sweep(root),   declare_explain(root),
+                                         declare_scenes(root),  declare_compare(root), declare_check(root)};
     const auto chosen = [&]() -> const Declared& {
         for (const Declared& command : commands)
             if (command.app->parsed()) return command;

@@ -67,13 +67,24 @@ struct CompareCommand {
     std::optional<std::filesystem::path> diff;
 };
 
+/// `normalscope check MANIFEST.json`
+struct CheckCommand {
+    std::filesystem::path manifest;
+    std::filesystem::path results{"check-results"};  ///< a folder for the pictures of what does not pass
+    std::optional<std::filesystem::path> junit, report;
+    std::string only;  ///< run those whose name has this in it
+    bool update = false;
+    ContextChoice context = ContextChoice::Auto;
+    int jobs = 1;
+};
+
 /// Help or the version was asked for: all there is to do is to print it.
 struct Printed {
     std::string text;
 };
 
-using Command =
-    std::variant<ViewCommand, CaptureCommand, SweepCommand, ExplainCommand, ScenesCommand, CompareCommand, Printed>;
+using Command = std::variant<ViewCommand, CaptureCommand, SweepCommand, ExplainCommand, ScenesCommand, CompareCommand,
+                             CheckCommand, Printed>;
 
 /// Throws UsageError. An output named "-" comes back as /dev/stdout.
 Command parse_command_line(int argc, const char* const* argv);

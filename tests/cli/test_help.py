@@ -8,7 +8,7 @@ import unittest
 from support import CommandTest
 
 SNAPSHOTS = pathlib.Path(__file__).parent / "snapshots"
-COMMANDS = ("", "capture", "sweep", "explain", "scenes", "compare")
+COMMANDS = ("", "capture", "sweep", "explain", "scenes", "compare", "check")
 
 
 class HelpTest(CommandTest):
