@@ -43,7 +43,7 @@ float scale_of(glm::ivec2 size, bool panel) {
 struct Studio::Equipment {
     explicit Equipment(ContextChoice choice) : context(make_offscreen_context(choice)) { context->make_current(); }
 
-    const Target& target_for(const CaptureOptions& options) {
+    Target& target_for(const CaptureOptions& options) {
         if (!target || target->size() != options.size || asked_samples != options.samples) {
             target.reset();
             target.emplace(options.size, options.samples);
@@ -72,7 +72,7 @@ Capture Studio::capture(const Scene& scene, const CaptureOptions& options) {
     auto loading =
         std::async(equipment_ ? std::launch::deferred : std::launch::async, [&] { return surfaces_.get(scene); });
     if (!equipment_) equipment_ = std::make_unique<Equipment>(choice_);
-    const Target& target = equipment_->target_for(options);
+    Target& target = equipment_->target_for(options);
     if (!equipment_->renderer) equipment_->renderer.emplace();
     std::optional<Gui>& gui = equipment_->gui;
 
@@ -96,9 +96,7 @@ Capture Studio::capture(const Scene& scene, const CaptureOptions& options) {
     }
     const Frame frame = make_frame(scene, surface, {.rect = rect, .pixel_scale = scale, .handles = options.panel});
 
-    target.bind();
-    equipment_->renderer->draw(frame, options.size.y);
-    target.resolve();
+    equipment_->renderer->draw(frame, target);
     if (options.panel || has_words(frame)) {
         if (!gui) gui.emplace();
         Status status;

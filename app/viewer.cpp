@@ -281,12 +281,11 @@ bool Viewer::redraw() {
     }
     // While only the interface changes, as in a dialog, the samples still hold the picture.
     const Drawn now{scene_, frame_->surface, frame_->rect, pointer_.hot_axis(), gui_.interface.highlighted()};
-    if (drawn_ != now || target_->samples() == 1) {
-        target_->bind();
-        renderer_.draw(*frame_, size.y);
-        drawn_ = now;
-    }
-    target_->resolve();
+    if (drawn_ != now)
+        renderer_.draw(*frame_, *target_);
+    else
+        renderer_.draw_again(*frame_, *target_);
+    drawn_ = now;
     gui_.draw();
     target_->show();
     glfwSwapBuffers(window_.handle());
@@ -353,9 +352,7 @@ void Viewer::save_picture(const std::filesystem::path& file) {
     const Frame frame = frame_now(false);
     gui_.layout(size, scene_.theme, window_.content_scale(), [&] { gui_.interface.draw_words(frame); });
     drawn_.reset();
-    target_->bind();
-    renderer_.draw(frame, size.y);
-    target_->resolve();
+    renderer_.draw(frame, *target_);
     gui_.draw();
     write_png(file, cropped(target_->read(), frame.rect.origin, frame.rect.size));
     gui_.interface.show_note("Saved " + file.string());

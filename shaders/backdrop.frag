@@ -1,5 +1,8 @@
-// The ground behind everything: a quiet gradient, a grid that fades out, and a soft shadow under the object. It covers
-// every pixel, so each operation here counts on a processor.
+// The ground behind everything: a quiet gradient, a grid that fades out, and a soft shadow under the object; and over it
+// what has been drawn, the mean of each pixel's samples. This covers every pixel, so each operation here counts on a
+// processor, but the ground is worked out once for all samples. glBlitFramebuffer would take the mean as well, but Mesa
+// compiles its own shader for that anew in every process. GLSL ES 3.00 has no multisample textures: a web build has to
+// draw the backdrop first, with no samples, and to blit.
 in vec3 ray;
 in vec3 sky;
 
@@ -8,12 +11,16 @@ uniform vec3 eye;
 uniform float ground;       // height of the grid
 uniform float grid_amount;  // 0: no grid
 uniform mat3 shadow;        // from (x, z, 1) on the ground to the unit disc
+uniform sampler2DMS drawn;  // colours times alpha
+uniform int samples;        // 0: nothing has been drawn yet
+uniform ivec2 drawn_low;    // the pixel that the samples begin with,
+uniform ivec2 drawn_size;   // and how many they go on for
 
 out vec4 color;
 
 const float HALF_WIDTH = 0.009;
 
-void main() {
+vec3 backdrop() {
     float t = (ground - eye.y) / ray.y;
     vec2 at = eye.xz + t * ray.xz;
     // How much of the pixel a line at each whole number covers; a line thinner than a pixel grows fainter instead.
@@ -25,5 +32,15 @@ void main() {
     float dark = max(1.0 - 0.3 * dot(in_shadow, in_shadow), 0.0);
     float amount = t > 0.0 ? grid_amount : 0.0;
     vec3 c = sky * (1.0 - 0.24 * amount * dark * dark * dark);
-    color = vec4(mix(c, grid_color, 0.7 * amount * fade * fade * max(covered.x, covered.y)), 1.0);
+    return mix(c, grid_color, 0.7 * amount * fade * fade * max(covered.x, covered.y));
+}
+
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy) - drawn_low;
+    bool inside = min(at.x, at.y) >= 0 && at.x < drawn_size.x && at.y < drawn_size.y;
+    int count = inside ? samples : 0;
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < count; ++i) sum += texelFetch(drawn, at, i);
+    sum /= float(max(samples, 1));
+    color = vec4(sum.rgb + (1.0 - sum.a) * backdrop(), 1.0);
 }

@@ -7,6 +7,7 @@ layout(location = 3) in vec3 site_point;   // of an arrow: the surface's point a
 layout(location = 4) in vec3 site_normal;
 
 uniform mat4 clip_from_world;
+uniform vec3 eye;
 uniform mat4 world_from_object;
 uniform mat4 normal_matrix;      // to world space: the first three numbers of normal_matrix * (n, normal_w),
 uniform float normal_w;
@@ -35,14 +36,16 @@ void main() {
         // Base and direction go to world space by the matrices of the arrow's kind: dragging the object uploads nothing.
         float size = length(direction);
         vec3 axis = size > 0.0 ? direction / size : vec3(0.0, 0.0, 1.0);
-        vec3 helper = abs(axis.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0);
-        vec3 u = normalize(cross(helper, axis));
+        world = vec4(world.xyz / world.w, 1.0);
+        vec3 u = cross(eye - world.xyz, axis);  // so that v points to the eye, as far as it can
+        if (dot(u, u) < 1e-9) u = cross(abs(axis.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0), axis);
+        u = normalize(u);
         vec3 v = cross(axis, u);
         float along = position.z < 0.5 ? 0.0 : position.z < 1.5 ? arrow_length - head_length : arrow_length;
         // Normals that are left as long as they come out show it.
         if (unit_at_vertices != 1.0 && unit_at_pixels < 0.5) along *= min(size, 3.0);
         vec3 offset = along * axis + shaft_radius * (position.x * u + position.y * v);
-        world = vec4(world.xyz / world.w + (size > 0.0 ? offset : vec3(0.0)), 1.0);  // no direction, no arrow
+        world.xyz += size > 0.0 ? offset : vec3(0.0);  // no direction, no arrow
         direction = normal.x * u + normal.y * v + normal.z * axis;
     }
     world_position = world.xyz;

@@ -38,6 +38,7 @@ public:
 protected:
     static void set(GLint at, int v) { glUniform1i(at, v); }
     static void set(GLint at, float v) { glUniform1f(at, v); }
+    static void set(GLint at, const glm::ivec2& v) { glUniform2i(at, v.x, v.y); }
     static void set(GLint at, const glm::vec2& v) { glUniform2f(at, v.x, v.y); }
     static void set(GLint at, const glm::vec3& v) { glUniform3f(at, v.x, v.y, v.z); }
     static void set(GLint at, const glm::vec4& v) { glUniform4f(at, v.x, v.y, v.z, v.w); }

@@ -17,12 +17,9 @@ struct BackdropProgram : Program {
     Slot<float> ground{*this, "ground"};
     Slot<float> grid_amount{*this, "grid_amount"};
     Slot<glm::mat3> shadow{*this, "shadow"};
-};
-
-struct ResolveProgram : Program {
-    ResolveProgram() : Program("resolve.vert", "resolve.frag") {}
-
-    Slot<int> count{*this, "count"};
+    Slot<int> samples{*this, "samples"};
+    Slot<glm::ivec2> drawn_low{*this, "drawn_low"};
+    Slot<glm::ivec2> drawn_size{*this, "drawn_size"};
 };
 
 /// Everything solid: the mesh, its arrows, and what is made anew every frame.

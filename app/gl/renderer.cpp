@@ -1,5 +1,6 @@
 #include "gl/renderer.h"
 
+#include "core/drawn_box.h"
 #include "gl/programs.h"
 #include "gl/vertex_data.h"
 
@@ -29,7 +30,9 @@ struct Renderer::Resources {
         surface = wanted;
     }
 
-    void draw_backdrop(const Frame& frame, const Pane& pane);
+    /// And over it the target's samples, if there are any.
+    void draw_backdrop(const Frame& frame, const Pane& pane, const Target& target);
+    void draw_pane(const Frame& frame, const Pane& pane);
     void draw_surface(const Frame& frame, const Pane& pane, const SurfaceDraw& draw);
     void draw_arrows(const Frame& frame, const Pane& pane);
     void draw_solids(const Frame& frame, const Pane& pane, const std::vector<SolidVertex>& vertices);
@@ -38,6 +41,21 @@ private:
     void begin(const SceneProgram& program, const Frame& frame, const Pane& pane) const;
     static void set_normals(const SceneProgram& program, const NormalMap& normals);
 };
+
+namespace {
+
+// From the top left to the lower left, as GL counts.
+PixelRect upright(PixelRect rect, const Target& target) {
+    rect.origin.y = target.size().y - rect.origin.y - rect.size.y;
+    return rect;
+}
+
+void look_at(const PixelRect& rect) {
+    glViewport(rect.origin.x, rect.origin.y, rect.size.x, rect.size.y);
+    glScissor(rect.origin.x, rect.origin.y, rect.size.x, rect.size.y);
+}
+
+}  // namespace
 
 void Renderer::Resources::begin(const SceneProgram& program, const Frame& frame, const Pane& pane) const {
     program.use();
@@ -59,9 +77,10 @@ void Renderer::Resources::set_normals(const SceneProgram& program, const NormalM
     program.unit_at_pixels = normals.at_pixels ? 1.0f : 0.0f;
 }
 
-void Renderer::Resources::draw_backdrop(const Frame& frame, const Pane& pane) {
+void Renderer::Resources::draw_backdrop(const Frame& frame, const Pane& pane, const Target& target) {
     const ThemeColors colors = theme_colors(frame.theme);
-    glDisable(GL_DEPTH_TEST);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, target.sample_colors());
     backdrop_program.use();
     backdrop_program.world_from_clip = glm::mat4(glm::inverse(pane.view.clip_from_world()));
     backdrop_program.eye = pane.view.eye().xyz;
@@ -71,8 +90,14 @@ void Renderer::Resources::draw_backdrop(const Frame& frame, const Pane& pane) {
     backdrop_program.ground = frame.ground_height.value_or(0.0f);
     backdrop_program.grid_amount = frame.ground_height ? 1.0f : 0.0f;
     backdrop_program.shadow = frame.shadow_from_ground;
+    const PixelRect sampled = upright(target.sampled(), target);
+    backdrop_program.samples = target.samples() > 1 ? target.samples() : 0;
+    backdrop_program.drawn_low = sampled.origin;
+    backdrop_program.drawn_size = sampled.size;
+    // Where all of a pixel is written, Mesa compiles the shader a second time for tiles that are wholly covered.
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     backdrop.draw();
-    glEnable(GL_DEPTH_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void Renderer::Resources::draw_surface(const Frame& frame, const Pane& pane, const SurfaceDraw& draw) {
@@ -132,31 +157,53 @@ void Renderer::Resources::draw_solids(const Frame& frame, const Pane& pane, cons
 Renderer::Renderer() : resources_(std::make_unique<Resources>()) {}
 Renderer::~Renderer() = default;
 
-void Renderer::draw(const Frame& frame, int framebuffer_height) {
-    resources_->hold(frame.surface);
-    glEnable(GL_SCISSOR_TEST);
+void Renderer::Resources::draw_pane(const Frame& frame, const Pane& pane) {
+    glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
+    for (const SurfaceDraw& draw : pane.surfaces)
+        if (draw.color.a >= 1.0f) draw_surface(frame, pane, draw);
+    draw_solids(frame, pane, pane.solids);
+    draw_arrows(frame, pane);
+    glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    for (const Pane& pane : frame.panes) {
-        const int bottom = framebuffer_height - pane.rect.origin.y - pane.rect.size.y;
-        glViewport(pane.rect.origin.x, bottom, pane.rect.size.x, pane.rect.size.y);
-        glScissor(pane.rect.origin.x, bottom, pane.rect.size.x, pane.rect.size.y);
-        glClear(GL_DEPTH_BUFFER_BIT);
-
-        resources_->draw_backdrop(frame, pane);
-        for (const SurfaceDraw& draw : pane.surfaces)
-            if (draw.color.a >= 1.0f) resources_->draw_surface(frame, pane, draw);
-        resources_->draw_solids(frame, pane, pane.solids);
-        resources_->draw_arrows(frame, pane);
-        glEnable(GL_BLEND);
-        glDepthMask(GL_FALSE);
-        for (const SurfaceDraw& draw : pane.surfaces)
-            if (draw.color.a < 1.0f) resources_->draw_surface(frame, pane, draw);
-        resources_->draw_solids(frame, pane, pane.translucent);
-        glDepthMask(GL_TRUE);
-        glDisable(GL_BLEND);
-    }
+    glDepthMask(GL_FALSE);
+    for (const SurfaceDraw& draw : pane.surfaces)
+        if (draw.color.a < 1.0f) draw_surface(frame, pane, draw);
+    draw_solids(frame, pane, pane.translucent);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
+}
+
+void Renderer::draw(const Frame& frame, Target& target) {
+    resources_->hold(frame.surface);
+    if (target.samples() > 1) {
+        PixelRect box;
+        for (const Pane& pane : frame.panes) box = united(box, drawn_box(*frame.surface, pane));
+        target.bind_samples(box);
+        const glm::ivec2 origin = upright(box, target).origin;
+        glEnable(GL_SCISSOR_TEST);
+        for (const Pane& pane : frame.panes) {
+            PixelRect rect = upright(pane.rect, target);
+            rect.origin -= origin;
+            look_at(rect);
+            resources_->draw_pane(frame, pane);
+        }
+    }
+    draw_again(frame, target);
+}
+
+void Renderer::draw_again(const Frame& frame, Target& target) {
+    target.bind_picture();
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_SCISSOR_TEST);
+    for (const Pane& pane : frame.panes) {
+        look_at(upright(pane.rect, target));
+        resources_->draw_backdrop(frame, pane, target);
+        if (target.samples() == 1) resources_->draw_pane(frame, pane);
+    }
     glDisable(GL_SCISSOR_TEST);
 }
 

@@ -1,13 +1,14 @@
 #pragma once
 
 #include "core/frame.h"
+#include "gl/target.h"
 
 #include <memory>
 #include <string>
 
 namespace normalscope {
 
-/// Draws a Frame into the bound framebuffer. Needs a current context, and must die before it.
+/// Draws Frames. Needs a current context, and must die before it.
 class Renderer {
 public:
     Renderer();
@@ -15,8 +16,10 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// `framebuffer_height` turns the frame's top-left pixels into GL's.
-    void draw(const Frame& frame, int framebuffer_height);
+    /// Makes the target's picture, which stays bound for what is drawn over it, such as words.
+    void draw(const Frame& frame, Target& target);
+    /// The same for the frame that was drawn last, from the samples that it left.
+    void draw_again(const Frame& frame, Target& target);
 
 private:
     struct Resources;

@@ -2,6 +2,9 @@
 
 #include "core/error.h"
 
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
 #include <algorithm>
 #include <string>
 
@@ -18,12 +21,26 @@ void check_complete(glm::ivec2 size, int samples) {
 int supported(int samples) {
     GLint most = 1;
     glGetIntegerv(GL_MAX_SAMPLES, &most);
-    // resolve.frag adds up 2 or 4.
     const int fewer = std::clamp(samples, 1, std::clamp<int>(most, 1, 4));
     return fewer == 3 ? 2 : fewer;
 }
 
+void make_storage(const GlRenderbuffer& buffer, GLenum format, glm::ivec2 size, int samples = 0) {
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer.id());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, size.x, size.y);
+}
+
 }  // namespace
+
+Target::Samples::Samples(glm::ivec2 pixels, int count) : size(pixels) {
+    make_storage(depth, GL_DEPTH_COMPONENT24, size, count);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, color.id());
+    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, count, GL_RGBA8, size.x, size.y, GL_TRUE);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE, color.id(), 0);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
+    check_complete(size, count);
+}
 
 Target::Target(glm::ivec2 size, int samples) : size_(size), samples_(supported(samples)) {
     GLint largest = 0;
@@ -31,42 +48,36 @@ Target::Target(glm::ivec2 size, int samples) : size_(size), samples_(supported(s
     if (size.x > largest || size.y > largest)
         throw ContextError("this driver draws at most " + std::to_string(largest) +
                            " pixels a side; use a smaller size");
-
-    const auto storage = [&](const GlRenderbuffer& buffer, GLenum format, int count) {
-        glBindRenderbuffer(GL_RENDERBUFFER, buffer.id());
-        glRenderbufferStorageMultisample(GL_RENDERBUFFER, count > 1 ? count : 0, format, size.x, size.y);
-    };
-    storage(depth_, GL_DEPTH_COMPONENT24, samples_);
-    storage(resolved_color_, GL_RGBA8, 1);
-    if (samples_ > 1) {
-        glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, color_.id());
-        glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, samples_, GL_RGBA8, size.x, size.y, GL_TRUE);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE, color_.id(), 0);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
-        check_complete(size, samples_);
+    make_storage(color_, GL_RGBA8, size);
+    glBindFramebuffer(GL_FRAMEBUFFER, picture_.id());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color_.id());
+    if (samples_ == 1) {
+        make_storage(depth_.emplace(), GL_DEPTH_COMPONENT24, size);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_->id());
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, resolved_color_.id());
-    if (samples_ == 1) glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
-    check_complete(size, samples_);
+    check_complete(size, 1);
 }
 
-void Target::bind() const { glBindFramebuffer(GL_FRAMEBUFFER, samples_ > 1 ? framebuffer_.id() : resolved_.id()); }
+void Target::bind_picture() const { glBindFramebuffer(GL_FRAMEBUFFER, picture_.id()); }
 
-void Target::resolve() const {
-    glBindFramebuffer(GL_FRAMEBUFFER, resolved_.id());
-    if (samples_ == 1) return;
-    glViewport(0, 0, size_.x, size_.y);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, color_.id());
-    resolve_program_.use();
-    resolve_program_.count = samples_;
-    everywhere_.draw();
+void Target::bind_samples(const PixelRect& box) {
+    sampled_ = box;
+    const glm::ivec2 wanted = glm::max(box.size, 1);
+    if (!held_ || glm::any(glm::lessThan(held_->size, wanted))) {
+        // A picture by itself gets what it needs; where one follows the other, what will do for all of them.
+        const bool first = !held_;
+        held_.reset();
+        held_.emplace(first ? glm::min((wanted + 63) / 64 * 64, size_) : size_, samples_);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, held_->framebuffer.id());
+    glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
+
+GLuint Target::sample_colors() const { return held_ ? held_->color.id() : 0; }
 
 void Target::show() const {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.id());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     glBlitFramebuffer(0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -75,7 +86,7 @@ void Target::show() const {
 Image Target::read() const {
     Image image{size_,
                 std::vector<std::uint8_t>(4 * static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y))};
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.id());
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
     // GL's first row is the lowest.

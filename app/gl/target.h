@@ -1,40 +1,58 @@
 #pragma once
 
+#include "core/frame.h"
 #include "core/image.h"
 #include "gl/objects.h"
-#include "gl/programs.h"
-#include "gl/vertex_data.h"
 
 #include <glm/vec2.hpp>
 
+#include <optional>
+
 namespace normalscope {
 
-/// An off-screen picture: drawn with several samples a pixel, resolved to one, read back or shown.
+/// An off-screen picture, and the samples that it is made from, of which there may be several a pixel. Pixels count from
+/// the lower left, as GL's do.
 class Target {
 public:
-    /// `samples` of 1 draws straight into the resolved picture; more than the driver has is cut to what it has.
+    /// `samples` of 1 draws straight into the picture; more than the driver has is cut to what it has.
     /// Throws ContextError where the driver cannot make a picture of this size.
     Target(glm::ivec2 size, int samples);
 
     glm::ivec2 size() const { return size_; }
     int samples() const { return samples_; }
-    /// Draws go to the samples from now on.
-    void bind() const;
-    /// The samples' mean becomes the picture; draws go to the picture from now on, as the interface's must.
-    void resolve() const;
-    /// Copies the resolved picture to the window's framebuffer.
+
+    /// Draws go to the picture from now on.
+    void bind_picture() const;
+    /// Draws go to new, clear samples of this box of the picture; its lower left corner is the samples' origin. Samples
+    /// take much memory, and a driver on the processor long to clear them, so there are no more than must be.
+    void bind_samples(const PixelRect& box);
+    /// The box that has samples.
+    const PixelRect& sampled() const { return sampled_; }
+    /// The samples' colours: a GL_TEXTURE_2D_MULTISAMPLE.
+    GLuint sample_colors() const;
+
+    /// Copies the picture to the window's framebuffer.
     void show() const;
-    /// The resolved picture, top row first.
+    /// The picture, top row first.
     Image read() const;
 
 private:
+    struct Samples {
+        Samples(glm::ivec2 size, int count);
+
+        glm::ivec2 size;
+        GlTexture color;
+        GlRenderbuffer depth;
+        GlFramebuffer framebuffer;
+    };
+
     glm::ivec2 size_;
     int samples_;
-    GlTexture color_;
-    GlRenderbuffer depth_, resolved_color_;
-    GlFramebuffer framebuffer_, resolved_;
-    ResolveProgram resolve_program_;
-    PaneVertices everywhere_;
+    GlRenderbuffer color_;
+    std::optional<GlRenderbuffer> depth_;  // where the picture is drawn straight away
+    GlFramebuffer picture_;
+    PixelRect sampled_;
+    std::optional<Samples> held_;
 };
 
 }  // namespace normalscope

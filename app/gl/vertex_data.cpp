@@ -54,37 +54,35 @@ void fill_sites(const GlBuffer& sites, std::span<const SiteVertex> data) {
     attribute(kSiteNormal, 3, GL_FLOAT, sizeof(SiteVertex), offsetof(SiteVertex, normal), 1);
 }
 
-// The fewer arrows, the rounder each: their triangles are what a frame costs on a processor.
-std::vector<Vertex> arrow_shape(int sides) {
-    // Where a ring of the arrow lies, how wide it is, and how its normals face.
-    struct Ring {
-        float along, radius, outward, axial;
-    };
+// The fewer arrows, the rounder each: their triangles are what a frame costs on a processor. scene.vert turns the shaft's
+// one half to the eye.
+std::vector<Vertex> arrow_shape(int head_sides) {
     constexpr float kSlant = ArrowProportions::kHeadRadius / ArrowProportions::kHeadLength;
-    constexpr std::array<std::array<Ring, 2>, 3> kBands{{
-        {{{0.0f, 1.0f, 1.0f, 0.0f}, {1.0f, 1.0f, 1.0f, 0.0f}}},                               // shaft
-        {{{1.0f, ArrowProportions::kHeadRadius, 0.0f, -1.0f}, {1.0f, 0.0f, 0.0f, -1.0f}}},    // under the head
-        {{{1.0f, ArrowProportions::kHeadRadius, 1.0f, kSlant}, {2.0f, 0.0f, 1.0f, kSlant}}},  // head
-    }};
+    const int half = head_sides / 2;
+    // On a ring at a multiple of the angle between the head's sides.
+    const auto corner = [&](float step, float radius, float along, float outward, float axial) {
+        const float a = glm::two_pi<float>() * step / static_cast<float>(head_sides);
+        const glm::vec2 out(std::cos(a), std::sin(a));
+        return Vertex{{radius * out, along}, {outward * out, axial}};
+    };
+    const auto on_shaft = [&](int i, float along) {
+        return corner(static_cast<float>(i * half) / static_cast<float>(half - 1), 1.0f, along, 1.0f, 0.0f);
+    };
+    const auto on_head = [&](int i, float radius, float along, float outward, float axial) {
+        return corner(static_cast<float>(i), radius, along, outward, axial);
+    };
     std::vector<Vertex> corners;
-    for (const auto& [from, to] : kBands) {
-        for (int i = 0; i < sides; ++i) {
-            const auto corner = [&](const Ring& ring, int side) {
-                const float a = glm::two_pi<float>() * static_cast<float>(side % sides) / static_cast<float>(sides);
-                const glm::vec2 out(std::cos(a), std::sin(a));
-                return Vertex{{ring.radius * out, ring.along}, {ring.outward * out, ring.axial}};
-            };
-            const std::array quad{corner(from, i), corner(from, i + 1), corner(to, i + 1), corner(to, i)};
-            // A ring without radius closes the band to a point: one triangle of each quad is enough.
-            const bool downward = from.axial < 0.0f;
-            const auto add = [&](int a, int b, int c) {
-                for (const int k : {a, downward ? c : b, downward ? b : c})
-                    corners.push_back(quad[static_cast<std::size_t>(k)]);
-            };
-            add(0, 1, 2);
-            if (to.radius > 0.0f) add(0, 2, 3);
-        }
+    for (int i = 0; i < half - 1; ++i) {
+        const Vertex a = on_shaft(i, 0.0f), b = on_shaft(i + 1, 0.0f), c = on_shaft(i + 1, 1.0f), d = on_shaft(i, 1.0f);
+        corners.insert(corners.end(), {a, b, c, a, c, d});
     }
+    constexpr float kWide = ArrowProportions::kHeadRadius;
+    for (int i = 0; i < head_sides; ++i)
+        corners.insert(corners.end(), {on_head(i, kWide, 1.0f, 1.0f, kSlant), on_head(i + 1, kWide, 1.0f, 1.0f, kSlant),
+                                       corner(static_cast<float>(i) + 0.5f, 0.0f, 2.0f, 1.0f, kSlant)});
+    for (int i = 1; i + 1 < head_sides; ++i)  // under the head
+        corners.insert(corners.end(), {on_head(0, kWide, 1.0f, 0.0f, -1.0f), on_head(i + 1, kWide, 1.0f, 0.0f, -1.0f),
+                                       on_head(i, kWide, 1.0f, 0.0f, -1.0f)});
     return corners;
 }
 

@@ -24,7 +24,7 @@ namespace {
 double median_frame_milliseconds(int samples) {
     constexpr glm::ivec2 kSize(1280, 720);
     constexpr int kFrames = 60;
-    const Target target(kSize, samples);
+    Target target(kSize, samples);
     Renderer renderer;
     Gui gui;
     SurfaceCache surfaces;
@@ -35,9 +35,7 @@ double median_frame_milliseconds(int samples) {
         scene.camera.azimuth += 1.0;
         const Frame frame = make_frame(scene, surfaces.get(scene), {.rect = gui.interface.picture(kSize)});
         gui.layout(kSize, scene.theme, 1.0f, [&] { gui.interface.draw(scene, frame, {}); });
-        target.bind();
-        renderer.draw(frame, kSize.y);
-        target.resolve();
+        renderer.draw(frame, target);
         gui.draw();
         glFinish();
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;

@@ -1,0 +1,79 @@
+#include "core/drawn_box.h"
+
+#include <glm/common.hpp>
+
+#include <limits>
+
+namespace normalscope {
+
+namespace {
+
+/// Grows over the places in a pane's picture of the points that are added.
+class Bounds {
+public:
+    explicit Bounds(const CameraView& view) : view_(view) {}
+
+    void add(const glm::dvec3& world) {
+        const glm::dvec3 pixel = view_.pixel({world});
+        in_front_ = in_front_ && pixel.z > 1e-6;  // not where it is NaN
+        low_ = glm::min(low_, glm::dvec2(pixel));
+        high_ = glm::max(high_, glm::dvec2(pixel));
+    }
+    void add_cube(const glm::dvec3& centre, double half) {
+        for (int corner = 0; corner < 8; ++corner)
+            add(centre + half * glm::dvec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1));
+    }
+    /// Everything within `reach` of an object that lies in the box from −extent to extent.
+    void add_object(const glm::dmat4& world_from_object, const glm::dvec3& extent, double reach) {
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::dvec3 signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+            const glm::dvec4 world = world_from_object * glm::dvec4(signs * extent, 1.0);
+            in_front_ = in_front_ && world.w > 0.0;
+            add_cube(glm::dvec3(world) / world.w, reach);
+        }
+    }
+    /// In the pane's pixels, cut to the pane.
+    PixelRect box(glm::ivec2 size) const {
+        constexpr double kMargin = 2.0;  // samples lie beside a pixel's centre, and the driver snaps vertices
+        if (!in_front_) return {{0, 0}, size};
+        if (!(low_.x <= high_.x)) return {};
+        const glm::dvec2 limit(size);
+        const glm::ivec2 from(glm::clamp(glm::floor(low_ - kMargin), glm::dvec2(0.0), limit));
+        const glm::ivec2 to(glm::clamp(glm::ceil(high_ + kMargin), glm::dvec2(0.0), limit));
+        return {from, to - from};
+    }
+
+private:
+    const CameraView& view_;
+    glm::dvec2 low_{std::numeric_limits<double>::infinity()}, high_{-std::numeric_limits<double>::infinity()};
+    bool in_front_ = true;
+};
+
+bool empty(const PixelRect& rect) { return rect.size.x <= 0 || rect.size.y <= 0; }
+
+}  // namespace
+
+PixelRect drawn_box(const Surface& surface, const Pane& pane) {
+    // A formula's surface goes a little beyond its mesh.
+    const glm::dvec3 extent = (surface.implicit ? 1.05 : 1.0) * surface.extent;
+    Bounds bounds(pane.view);
+    for (const SurfaceDraw& draw : pane.surfaces) bounds.add_object(draw.world_from_object, extent, 0.0);
+    for (const ArrowDraw& draw : pane.arrows) {
+        const double lengths = draw.normals.at_pixels ? 1.0 : 3.0;  // normals left as long as they come out: scene.vert
+        bounds.add_object(draw.world_from_object, extent, lengths * double(draw.length) + 3.0 * double(draw.radius));
+    }
+    for (const auto* solids : {&pane.solids, &pane.translucent})
+        for (const SolidVertex& vertex : *solids) bounds.add(vertex.position);
+    PixelRect box = bounds.box(pane.rect.size);
+    box.origin += pane.rect.origin;
+    return box;
+}
+
+PixelRect united(const PixelRect& a, const PixelRect& b) {
+    if (empty(a)) return b;
+    if (empty(b)) return a;
+    const glm::ivec2 low = glm::min(a.origin, b.origin), high = glm::max(a.origin + a.size, b.origin + b.size);
+    return {low, high - low};
+}
+
+}  // namespace normalscope
