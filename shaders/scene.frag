@@ -1,9 +1,26 @@
 // Light on whatever normal it is given: a wrong normal shows as wrong light.
+#ifdef TRACED
+in vec3 ray;  // in world space
+
+uniform mat4 clip_from_world;
+uniform mat4 normal_matrix;  // as in scene.vert
+uniform float normal_w;
+uniform float unit_at_vertices;
+uniform vec4 tint;
+uniform mat3 object_from_world;
+uniform float mirrored;        // 1: M reflects
+uniform ivec2 pane_origin;
+uniform sampler2D hits;        // what trace.frag wrote: unit n_object, t
+uniform sampler2D edges;       // the same for the first sample, with pixels left out that are no edges
+uniform float leave_edges;     // 1: not where those are
+uniform float by_error;        // 1: coloured by the naive rule's error
+#else
 in vec3 world_position;
 in vec3 world_normal;
 in vec4 base_color;
 #ifdef ERROR_MAP
 in vec3 object_normal;
+#endif
 #endif
 
 uniform vec3 toward_light;
@@ -14,7 +31,7 @@ uniform vec3 inside_color;
 uniform float unit_at_pixels;  // 1: make interpolated normals of unit length again, as one should
 uniform float zero_is_black;   // 1: show a normal of length zero as the NaN that it would become
 uniform float ghost;       // 1: a glassy shell, clearest where one looks straight through
-#ifdef ERROR_MAP
+#if defined(ERROR_MAP) || defined(TRACED)
 uniform mat4 naive_matrix;
 uniform float naive_w;
 uniform mat3 inverse_transpose_matrix;
@@ -28,14 +45,39 @@ out vec4 color;  // times alpha
 vec3 to_light(vec3 c) { return c * c; }
 vec3 to_srgb(vec3 c) { return sqrt(clamp(c, 0.0, 1.0)); }
 
-void main() {
-    vec3 base = base_color.rgb;
-#ifdef ERROR_MAP
+#if defined(ERROR_MAP) || defined(TRACED)
+vec3 error_color(vec3 object_normal) {
     vec3 naive = (naive_matrix * vec4(object_normal, naive_w)).xyz;
     vec3 correct = inverse_transpose_matrix * object_normal;
     float at = atan(length(cross(naive, correct)), dot(naive, correct)) / 1.5707963 * 5.0;
-    base = ramp[0];
-    for (int i = 0; i < 5; ++i) base = mix(base, ramp[i + 1], clamp(at - float(i), 0.0, 1.0));
+    vec3 c = ramp[0];
+    for (int i = 0; i < 5; ++i) c = mix(c, ramp[i + 1], clamp(at - float(i), 0.0, 1.0));
+    return c;
+}
+#endif
+
+void main() {
+#ifdef TRACED
+    ivec2 pixel = ivec2(gl_FragCoord.xy) - pane_origin;
+    vec4 hit = texelFetch(hits, pixel, 0);
+    if (hit.w <= 0.0 || (leave_edges > 0.5 && texelFetch(edges, pixel, 0).w >= 0.0)) discard;
+    vec3 world_position = eye + hit.w * ray;
+    vec4 clip = clip_from_world * vec4(world_position, 1.0);
+    gl_FragDepth = 0.5 + 0.5 * clip.z / clip.w;
+    vec3 object_normal = hit.xyz;
+    vec4 sent = normal_matrix * vec4(object_normal, normal_w);
+    float unit = unit_at_vertices < 0.5 ? 1.0 : unit_at_vertices < 1.5 ? length(sent.xyz) : length(sent);
+    vec3 world_normal = unit > 0.0 ? sent.xyz / unit : sent.xyz;
+    vec4 base_color = tint;
+    bool front_facing = dot(object_normal, object_from_world * ray) < 0.0 != mirrored > 0.5;
+    vec3 base = by_error > 0.5 ? error_color(object_normal) : base_color.rgb;
+#else
+    bool front_facing = gl_FrontFacing;
+#ifdef ERROR_MAP
+    vec3 base = error_color(object_normal);
+#else
+    vec3 base = base_color.rgb;
+#endif
 #endif
     float size = length(world_normal);
     if (size == 0.0) {  // no normal, no light: flat colour says so
@@ -43,7 +85,7 @@ void main() {
         return;
     }
     vec3 n = unit_at_pixels > 0.5 ? world_normal / size : world_normal;
-    bool seen_from_inside = outside != 0.0 && gl_FrontFacing == (outside < 0.0);
+    bool seen_from_inside = outside != 0.0 && front_facing == (outside < 0.0);
     if (seen_from_inside) {
         n = -n;
         base = inside_color;

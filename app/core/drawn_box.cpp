@@ -54,8 +54,10 @@ bool empty(const PixelRect& rect) { return rect.size.x <= 0 || rect.size.y <= 0;
 }  // namespace
 
 PixelRect drawn_box(const Surface& surface, const Pane& pane) {
-    // A formula's surface goes a little beyond its mesh.
-    const glm::dvec3 extent = (surface.implicit ? 1.05 : 1.0) * surface.extent;
+    glm::dvec3 extent = surface.extent;
+    // A formula's surface goes beyond its mesh, where it has one.
+    if (surface.implicit && surface.implicit->region())
+        extent = glm::max(glm::abs(surface.implicit->region()->low), glm::abs(surface.implicit->region()->high));
     Bounds bounds(pane.view);
     for (const SurfaceDraw& draw : pane.surfaces) bounds.add_object(draw.world_from_object, extent, 0.0);
     for (const ArrowDraw& draw : pane.arrows) {

@@ -63,16 +63,18 @@ std::vector<Pane> empty_panes(const Scene& scene, const PixelRect& rect) {
     return panes;
 }
 
-void add_surfaces(Pane& pane, const Scene& scene, const Mesh& mesh, const WorldFromObject& m, bool ghost) {
+void add_surfaces(Pane& pane, const Scene& scene, const Surface& surface, const WorldFromObject& m, bool ghost) {
     const NormalMatrices& matrices = m.normal_matrices_by_rule();
     const ThemeColors colors = theme_colors(scene.theme);
     SurfaceDraw object;
     object.world_from_object = drawable(m.matrix());
     object.color = glm::vec4(colors.surface, 1.0f);
+    const bool traced = surface.implicit && surface.implicit->region();
+    if (const auto back = m.inverse(); back && traced) object.traced_object_from_world = back->matrix();
     if (const auto map = normal_map(scene, m, pane.rule)) object.normals = scaled_for_floats(*map);
     if (scene.cull)
         object.cull = SurfaceDraw::Cull::PictureBacks;
-    else if (mesh.closed && matrices.rank == 3)
+    else if (surface.mesh.closed && matrices.rank == 3)
         object.cull = SurfaceDraw::Cull::Inside;
     object.mirrored = matrices.determinant < 0.0;
     object.black_where_zero = scene.mistake == Mistake::ZeroNormal && pane.rule == Rule::Naive;
@@ -86,6 +88,7 @@ void add_surfaces(Pane& pane, const Scene& scene, const Mesh& mesh, const WorldF
     pane.surfaces.push_back(object);
     if (!ghost) return;
     SurfaceDraw shell;
+    if (traced) shell.traced_object_from_world = glm::dmat4(1.0);
     shell.cull = SurfaceDraw::Cull::Inside;
     shell.normals = NormalMap{};
     shell.color = glm::vec4(colors.ghost, 0.55f);
@@ -207,7 +210,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     if (probe) frame.probe = in_world(*probe, m, scene);
 
     for (Pane& pane : frame.panes) {
-        add_surfaces(pane, scene, frame.surface->mesh, m, ghost);
+        add_surfaces(pane, scene, *frame.surface, m, ghost);
         add_arrows(pane, scene, m);
         if (scene.show.axes) add_axes(pane, scene, frame.surface->extent, options);
         if (frame.probe) add_probe_marks(pane, scene, *frame.probe, options);

@@ -30,6 +30,8 @@ struct PixelRect {
 /// The mesh drawn once, by one matrix.
 struct SurfaceDraw {
     glm::mat4 world_from_object{1.0f};
+    /// Of a formula's surface where M has an inverse: it is met by each pixel's ray, in place of its mesh.
+    std::optional<glm::dmat4> traced_object_from_world;
     std::optional<NormalMap> normals;  ///< empty: no normals, so no shading
     /// +1 or −1: what turns the winding that the picture shows into the side that `normals` take for outside. 0: neither
     /// side is.

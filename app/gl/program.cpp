@@ -10,17 +10,13 @@ namespace normalscope {
 
 namespace {
 
-std::string_view source_of(std::string_view file) {
-    const auto text = embedded::file("shaders/" + std::string(file));
-    if (!text) throw std::runtime_error("shaders/" + std::string(file) + ": is not part of this program");
-    return *text;
-}
-
-void append_stage(GLuint program, GLenum stage, std::string_view file, std::string_view define) {
+void append_stage(GLuint program, GLenum stage, std::string_view file, std::string_view define,
+                  std::string_view generated = "") {
     const std::string defines = define.empty() ? "" : "#define " + std::string(define) + "\n";
-    const std::array<std::string_view, 4> parts{source_of("preamble.glsl"), defines, "#line 1\n", source_of(file)};
-    std::array<const GLchar*, 4> texts{};
-    std::array<GLint, 4> lengths{};
+    const std::array<std::string_view, 5> parts{Program::file("preamble.glsl"), defines, generated, "#line 1\n",
+                                                Program::file(file)};
+    std::array<const GLchar*, 5> texts{};
+    std::array<GLint, 5> lengths{};
     for (std::size_t i = 0; i < parts.size(); ++i) {
         texts[i] = parts[i].data();
         lengths[i] = static_cast<GLint>(parts[i].size());
@@ -42,11 +38,18 @@ void append_stage(GLuint program, GLenum stage, std::string_view file, std::stri
 
 }  // namespace
 
-Program::Program(std::string_view vertex_file, std::string_view fragment_file, std::string_view define)
+std::string_view Program::file(std::string_view name) {
+    const auto text = embedded::file("shaders/" + std::string(name));
+    if (!text) throw std::runtime_error("shaders/" + std::string(name) + ": is not part of this program");
+    return *text;
+}
+
+Program::Program(std::string_view vertex_file, std::string_view fragment_file, std::string_view define,
+                 std::string_view generated)
     : id_(glCreateProgram()) {
     try {
         append_stage(id_, GL_VERTEX_SHADER, vertex_file, define);
-        append_stage(id_, GL_FRAGMENT_SHADER, fragment_file, define);
+        append_stage(id_, GL_FRAGMENT_SHADER, fragment_file, define, generated);
         glLinkProgram(id_);
         GLint linked = GL_FALSE;
         glGetProgramiv(id_, GL_LINK_STATUS, &linked);

@@ -16,8 +16,9 @@ namespace normalscope {
 /// once, as typed slots. Throws std::runtime_error with the file's name and the compiler's log.
 class Program {
 public:
-    /// `define` is a preprocessor symbol for both stages, or empty.
-    Program(std::string_view vertex_file, std::string_view fragment_file, std::string_view define = {});
+    /// `define` is a preprocessor symbol for both stages, or empty; `generated` comes before the fragment file.
+    Program(std::string_view vertex_file, std::string_view fragment_file, std::string_view define = {},
+            std::string_view generated = "");
     ~Program();
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
@@ -34,6 +35,9 @@ public:
     private:
         GLint location_;
     };
+
+    /// An embedded shader file, to be put before another one.
+    static std::string_view file(std::string_view name);
 
 protected:
     static void set(GLint at, int v) { glUniform1i(at, v); }

@@ -2,7 +2,10 @@
 
 // One class a GL program: its shader files and its uniforms, by their names there.
 
+#include "core/formula/graph.h"
 #include "gl/program.h"
+
+#include <array>
 
 namespace normalscope {
 
@@ -22,9 +25,37 @@ struct BackdropProgram : Program {
     Slot<glm::ivec2> drawn_size{*this, "drawn_size"};
 };
 
+/// Where rays meet a formula's surface. `formula` is its GLSL and what trace.frag wants before it.
+struct TraceProgram : Program {
+    explicit TraceProgram(std::string_view formula) : Program("trace.vert", "trace.frag", {}, formula) {}
+
+    Slot<glm::mat4> space_from_clip{*this, "space_from_clip"};
+    Slot<glm::vec3> eye{*this, "eye"};
+    Slot<glm::vec2> shift{*this, "shift"};
+    Slot<glm::vec2> tile{*this, "tile"};
+    Slot<int> tiles{*this, "tiles"};
+    Slot<glm::vec3> box_low{*this, "box_low"};
+    Slot<glm::vec3> box_high{*this, "box_high"};
+    Slot<float> ball{*this, "ball"};
+    Slot<int> centres{*this, "centres"};
+    Slot<float> only_edges{*this, "only_edges"};
+    std::array<Slot<float>, formulas::kParameterNames.size()> parameters{
+        Slot<float>{*this, "formula_a"}, Slot<float>{*this, "formula_b"}, Slot<float>{*this, "formula_c"},
+        Slot<float>{*this, "formula_d"}, Slot<float>{*this, "formula_f"}, Slot<float>{*this, "formula_g"},
+        Slot<float>{*this, "formula_h"}};
+};
+
+struct EdgeTilesProgram : Program {
+    EdgeTilesProgram() : Program("trace.vert", "edge_tiles.frag", {}, file("edges.glsl")) {}
+
+    Slot<int> centres{*this, "centres"};
+    Slot<int> tile_size{*this, "tile_size"};
+};
+
 /// Everything solid: the mesh, its arrows, and what is made anew every frame.
 struct SceneProgram : Program {
-    explicit SceneProgram(std::string_view define = {}) : Program("scene.vert", "scene.frag", define) {}
+    explicit SceneProgram(std::string_view define = {}, std::string_view vertex_file = "scene.vert")
+        : Program(vertex_file, "scene.frag", define) {}
 
     Slot<glm::mat4> clip_from_world{*this, "clip_from_world"};
     Slot<glm::mat4> world_from_object{*this, "world_from_object"};
@@ -47,12 +78,30 @@ struct SceneProgram : Program {
 
 /// The mesh, coloured by the naive rule's error.
 struct ErrorMapProgram : SceneProgram {
-    ErrorMapProgram() : SceneProgram("ERROR_MAP") {}
+    explicit ErrorMapProgram(std::string_view define = "ERROR_MAP", std::string_view vertex_file = "scene.vert")
+        : SceneProgram(define, vertex_file) {}
 
     Slot<glm::mat4> naive_matrix{*this, "naive_matrix"};
     Slot<float> naive_w{*this, "naive_w"};
     Slot<glm::mat3> inverse_transpose_matrix{*this, "inverse_transpose_matrix"};
     Slot<std::span<const glm::vec3>> ramp{*this, "ramp"};
+};
+
+/// What TraceProgram found, in the scene's light or coloured by error.
+struct TracedProgram : ErrorMapProgram {
+    TracedProgram() : ErrorMapProgram("TRACED", "trace.vert") {}
+
+    Slot<glm::mat4> space_from_clip{*this, "space_from_clip"};
+    Slot<glm::vec2> shift{*this, "shift"};
+    Slot<glm::vec2> tile{*this, "tile"};
+    Slot<int> tiles{*this, "tiles"};
+    Slot<glm::ivec2> pane_origin{*this, "pane_origin"};
+    Slot<int> hits{*this, "hits"};
+    Slot<int> edges{*this, "edges"};
+    Slot<float> leave_edges{*this, "leave_edges"};
+    Slot<glm::mat3> object_from_world{*this, "object_from_world"};
+    Slot<float> mirrored{*this, "mirrored"};
+    Slot<float> by_error{*this, "by_error"};
 };
 
 }  // namespace normalscope

@@ -2,6 +2,7 @@
 
 #include "core/drawn_box.h"
 #include "gl/programs.h"
+#include "gl/tracer.h"
 #include "gl/vertex_data.h"
 
 #include <glm/matrix.hpp>
@@ -11,11 +12,27 @@
 
 namespace normalscope {
 
+namespace {
+
+// Where the bound framebuffer's samples lie in a pixel, from its lower left; none where it has just one.
+std::vector<glm::vec2> sample_places() {
+    GLint count = 0;
+    glGetIntegerv(GL_SAMPLES, &count);
+    std::vector<glm::vec2> places(count > 1 ? static_cast<std::size_t>(count) : 0);
+    for (std::size_t k = 0; k < places.size(); ++k)
+        glGetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(k), &places[k].x);
+    return places;
+}
+
+}  // namespace
+
 /// What lives on the GPU: programs and vertices, of which the surface's are kept until another surface comes.
 struct Renderer::Resources {
     BackdropProgram backdrop_program;
     SceneProgram scene_program;
     std::optional<ErrorMapProgram> error_map_program;  // compiled when first wanted
+    std::optional<TracedProgram> traced_program;
+    std::optional<Tracer> tracer;
     PaneVertices backdrop;
     SolidVertices solids;
 
@@ -34,12 +51,15 @@ struct Renderer::Resources {
     void draw_backdrop(const Frame& frame, const Pane& pane, const Target& target);
     void draw_pane(const Frame& frame, const Pane& pane);
     void draw_surface(const Frame& frame, const Pane& pane, const SurfaceDraw& draw);
+    void draw_traced(const Frame& frame, const Pane& pane, const SurfaceDraw& draw);
     void draw_arrows(const Frame& frame, const Pane& pane);
     void draw_solids(const Frame& frame, const Pane& pane, const std::vector<SolidVertex>& vertices);
 
 private:
     void begin(const SceneProgram& program, const Frame& frame, const Pane& pane) const;
     static void set_normals(const SceneProgram& program, const NormalMap& normals);
+    static void set_look(const SceneProgram& program, const SurfaceDraw& draw);
+    static void set_error_maps(const ErrorMapProgram& program, const Frame& frame);
 };
 
 namespace {
@@ -77,6 +97,23 @@ void Renderer::Resources::set_normals(const SceneProgram& program, const NormalM
     program.unit_at_pixels = normals.at_pixels ? 1.0f : 0.0f;
 }
 
+void Renderer::Resources::set_look(const SceneProgram& program, const SurfaceDraw& draw) {
+    set_normals(program, draw.normals.value_or(NormalMap{.matrix = glm::dmat4(0.0)}));
+    program.zero_is_black = draw.black_where_zero ? 1.0f : 0.0f;
+    program.outside = draw.outside;
+    program.color_coded = 0.0f;
+    program.inside_color = draw.inside_color;
+    program.ghost = draw.color.a < 1.0f ? 1.0f : 0.0f;
+}
+
+void Renderer::Resources::set_error_maps(const ErrorMapProgram& program, const Frame& frame) {
+    const auto& [naive, right] = *frame.error_maps;
+    program.naive_matrix = naive.matrix;
+    program.naive_w = static_cast<float>(naive.w);
+    program.inverse_transpose_matrix = glm::dmat3(right.matrix);
+    program.ramp = std::span<const glm::vec3>(kErrorRamp);
+}
+
 void Renderer::Resources::draw_backdrop(const Frame& frame, const Pane& pane, const Target& target) {
     const ThemeColors colors = theme_colors(frame.theme);
     glActiveTexture(GL_TEXTURE0);
@@ -101,33 +138,70 @@ void Renderer::Resources::draw_backdrop(const Frame& frame, const Pane& pane, co
 }
 
 void Renderer::Resources::draw_surface(const Frame& frame, const Pane& pane, const SurfaceDraw& draw) {
+    if (draw.traced_object_from_world) return draw_traced(frame, pane, draw);
     const SceneProgram* program = &scene_program;
     if (draw.by_error && frame.error_maps) {
         if (!error_map_program) error_map_program.emplace();
         program = &*error_map_program;
     }
     begin(*program, frame, pane);
-    if (program != &scene_program) {
-        const auto& [naive, right] = *frame.error_maps;
-        error_map_program->naive_matrix = naive.matrix;
-        error_map_program->naive_w = static_cast<float>(naive.w);
-        error_map_program->inverse_transpose_matrix = glm::dmat3(right.matrix);
-        error_map_program->ramp = std::span<const glm::vec3>(kErrorRamp);
-    }
+    if (program != &scene_program) set_error_maps(*error_map_program, frame);
+    set_look(*program, draw);
     program->world_from_object = draw.world_from_object;
-    set_normals(*program, draw.normals.value_or(NormalMap{.matrix = glm::dmat4(0.0)}));
-    program->zero_is_black = draw.black_where_zero ? 1.0f : 0.0f;
-    program->outside = draw.outside;
-    program->color_coded = 0.0f;
-    program->inside_color = draw.inside_color;
     program->tint = draw.color;
-    const bool ghost = draw.color.a < 1.0f;
-    program->ghost = ghost ? 1.0f : 0.0f;
     if (draw.cull != SurfaceDraw::Cull::None) glEnable(GL_CULL_FACE);
     glCullFace(draw.cull == SurfaceDraw::Cull::Inside && draw.mirrored ? GL_FRONT : GL_BACK);
     mesh->draw();
     glCullFace(GL_BACK);
     glDisable(GL_CULL_FACE);
+}
+
+void Renderer::Resources::draw_traced(const Frame& frame, const Pane& pane, const SurfaceDraw& draw) {
+    std::vector<glm::vec2> shifts = sample_places();
+    for (glm::vec2& place : shifts) place -= 0.5f;
+    if (!tracer) tracer.emplace();
+    if (!traced_program) traced_program.emplace();
+    tracer->trace(*frame.surface->implicit, pane.view, pane.rect.size, *draw.traced_object_from_world, shifts);
+
+    const TracedProgram& program = *traced_program;
+    begin(program, frame, pane);
+    set_look(program, draw);
+    if (frame.error_maps) set_error_maps(program, frame);
+    program.by_error = draw.by_error && frame.error_maps ? 1.0f : 0.0f;
+    program.tint = draw.color;
+    program.space_from_clip = glm::mat4(glm::inverse(pane.view.clip_from_world()));
+    program.object_from_world = glm::mat3(*draw.traced_object_from_world);
+    program.mirrored = draw.mirrored ? 1.0f : 0.0f;
+    std::array<GLint, 4> viewport{};
+    glGetIntegerv(GL_VIEWPORT, viewport.data());
+    program.pane_origin = glm::ivec2(viewport[0], viewport[1]);
+    program.hits = 0;
+    program.edges = 1;
+    program.tiles = 2;
+    const auto bind = [](GLenum unit, GLuint texture) {
+        glActiveTexture(unit);
+        glBindTexture(GL_TEXTURE_2D, texture);
+    };
+    bind(GL_TEXTURE2, tracer->tiles().id());
+    bind(GL_TEXTURE1, (shifts.empty() ? tracer->centres() : tracer->samples(0)).id());
+    bind(GL_TEXTURE0, tracer->centres().id());
+    program.leave_edges = shifts.empty() ? 0.0f : 1.0f;
+    program.shift = glm::vec2(0.0f);
+    program.tile = glm::vec2(0.0f);
+    backdrop.draw();
+    if (shifts.empty()) return;
+
+    program.leave_edges = 0.0f;
+    program.tile = tracer->tile();
+    glEnable(GL_SAMPLE_MASK);
+    for (std::size_t k = 0; k < shifts.size(); ++k) {
+        bind(GL_TEXTURE0, tracer->samples(k).id());
+        glSampleMaski(0, 1u << k);
+        program.shift = 2.0f * shifts[k] / glm::vec2(pane.rect.size);
+        tracer->draw_tiles();
+    }
+    glSampleMaski(0, ~0u);
+    glDisable(GL_SAMPLE_MASK);
 }
 
 void Renderer::Resources::draw_arrows(const Frame& frame, const Pane& pane) {

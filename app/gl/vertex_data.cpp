@@ -100,6 +100,18 @@ void PaneVertices::draw() const {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+TileVertices::TileVertices() {
+    constexpr std::array kCorners{0.0f, 0.0f, 1.0f, 0.0f, 0.0f, 1.0f, 1.0f, 1.0f};
+    glBindVertexArray(array_.id());
+    bind_and_fill(corners_, GL_ARRAY_BUFFER, sizeof kCorners, kCorners.data());
+    attribute(0, 2, GL_FLOAT, 2 * sizeof(float), 0);
+}
+
+void TileVertices::draw(int count) const {
+    glBindVertexArray(array_.id());
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count);
+}
+
 MeshVertices::MeshVertices(const Mesh& mesh) : index_count_(static_cast<GLsizei>(3 * mesh.triangles.size())) {
     std::vector<Vertex> vertices(mesh.positions.size());
     for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = {mesh.positions[i], mesh.normals[i]};

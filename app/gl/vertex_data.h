@@ -23,6 +23,17 @@ private:
     GlBuffer corners_;
 };
 
+/// A square from (0, 0) to (1, 1), as often as there are tiles in a pane.
+class TileVertices {
+public:
+    TileVertices();
+    void draw(int count) const;
+
+private:
+    GlVertexArray array_;
+    GlBuffer corners_;
+};
+
 /// A mesh that stays on the GPU.
 class MeshVertices {
 public:

@@ -1,0 +1,157 @@
+#include "gl/tracer.h"
+
+#include "core/formula/ray_samples.h"
+#include "core/frame.h"
+
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+
+namespace normalscope {
+
+namespace {
+
+constexpr int kMostExactDegree = 10;  // beyond, floats no longer tell the coefficients apart
+constexpr int kOtherwise = 6;
+constexpr int kTile = 16;  // pixels
+
+std::string generated(const ImplicitSurface& surface) {
+    const bool exact = surface.degree() && *surface.degree() <= kMostExactDegree;
+    const int degree = exact ? std::max(*surface.degree(), 1) : kOtherwise;
+    return surface.glsl().source + formulas::ray_samples_glsl(degree) +
+           "const bool POLYNOMIAL = " + (exact ? "true" : "false") + ";\n" + std::string(Program::file("edges.glsl"));
+}
+
+// Where the box lies in the picture, in GL's pixels, and one pixel around it; the whole picture where a part is behind the eye.
+PixelRect box_in_picture(const formulas::Box& box, const CameraView& view, glm::ivec2 size,
+                         const glm::dmat4& object_from_world) {
+    const glm::dmat4 clip_from_object = view.clip_from_world() * glm::inverse(object_from_world);
+    glm::dvec2 low(1.0), high(-1.0);
+    for (int k = 0; k < 8; ++k) {
+        const glm::dvec3 corner = glm::mix(box.low, box.high, glm::bvec3(k & 1, k & 2, k & 4));
+        const glm::dvec4 clip = clip_from_object * glm::dvec4(corner, 1.0);
+        if (!(clip.w > 0.0)) return {{0, 0}, size};
+        low = glm::min(low, glm::dvec2(clip) / clip.w);
+        high = glm::max(high, glm::dvec2(clip) / clip.w);
+    }
+    const glm::dvec2 pixels(size);
+    const glm::ivec2 from(glm::clamp(glm::floor(pixels * (0.5 + 0.5 * low)) - 1.0, glm::dvec2(0.0), pixels));
+    const glm::ivec2 to(glm::clamp(glm::ceil(pixels * (0.5 + 0.5 * high)) + 1.0, glm::dvec2(0.0), pixels));
+    return {from, glm::max(to - from, 0)};
+}
+
+}  // namespace
+
+Tracer::Layer::Layer(glm::ivec2 size, GLenum format) {
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    const bool floats = format == GL_RGBA32F;
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), size.x, size.y, 0, floats ? GL_RGBA : GL_RED,
+                 floats ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.id(), 0);
+}
+
+glm::vec2 Tracer::tile() const { return 2.0f * static_cast<float>(kTile) / glm::vec2(size_); }
+
+void Tracer::hold(const ImplicitSurface& surface) {
+    std::string source = generated(surface);
+    if (program_ && source == source_) return;
+    program_.emplace(source);
+    source_ = std::move(source);
+}
+
+void Tracer::hold(glm::ivec2 size, std::size_t layers) {
+    if (size != size_) {
+        layers_.clear();
+        size_ = size;
+        tile_counts_ = (size + kTile - 1) / kTile;
+        tiles_.emplace(tile_counts_, GL_R8);
+    }
+    while (layers_.size() < layers) layers_.emplace_back(size, GL_RGBA32F);
+}
+
+void Tracer::find_edges() {
+    if (!edge_program_) edge_program_.emplace();
+    glBindFramebuffer(GL_FRAMEBUFFER, tiles_->framebuffer.id());
+    glDisable(GL_SCISSOR_TEST);
+    glViewport(0, 0, tile_counts_.x, tile_counts_.y);
+    edge_program_->use();
+    edge_program_->centres = 0;
+    edge_program_->tile_size = kTile;
+    everywhere_.draw();
+    glEnable(GL_SCISSOR_TEST);
+}
+
+void Tracer::trace(const ImplicitSurface& surface, const CameraView& view, glm::ivec2 size,
+                   const glm::dmat4& object_from_world, std::span<const glm::vec2> shifts) {
+    GLint framebuffer = 0;
+    std::array<GLint, 4> viewport{}, scissor{};
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+    glGetIntegerv(GL_VIEWPORT, viewport.data());
+    glGetIntegerv(GL_SCISSOR_BOX, scissor.data());
+    hold(surface);
+    hold(size, 1 + shifts.size());
+
+    const bool blend = glIsEnabled(GL_BLEND);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glViewport(0, 0, size.x, size.y);
+    const PixelRect box = box_in_picture(*surface.region(), view, size, object_from_world);
+    glScissor(box.origin.x, box.origin.y, box.size.x, box.size.y);
+    program_->use();
+    program_->space_from_clip = glm::mat4(object_from_world * glm::inverse(view.clip_from_world()));
+    const glm::dvec4 eye = object_from_world * glm::dvec4(view.eye().xyz, 1.0);
+    program_->eye = glm::vec3(glm::dvec3(eye) / eye.w);
+    program_->box_low = glm::vec3(surface.region()->low);
+    program_->box_high = glm::vec3(surface.region()->high);
+    program_->ball = surface.source().clip == Clip::Ball ? static_cast<float>(surface.source().bound) : 0.0f;
+    program_->centres = 0;
+    program_->tiles = 1;
+    for (std::size_t k = 0; k < program_->parameters.size(); ++k)
+        program_->parameters[k] = static_cast<float>(surface.source().parameters[k]);
+
+    // The first pass reads nothing, but textures of another kind would make the driver compile the program twice.
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D, tiles_->texture.id());
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, layers_.back().texture.id());
+    glBindFramebuffer(GL_FRAMEBUFFER, layers_[0].framebuffer.id());
+    constexpr std::array kMiss{0.0f, 0.0f, 0.0f, 0.0f}, kLeftOut{0.0f, 0.0f, 0.0f, -1.0f};
+    glDisable(GL_SCISSOR_TEST);
+    glClearBufferfv(GL_COLOR, 0, kMiss.data());
+    glEnable(GL_SCISSOR_TEST);
+    program_->only_edges = 0.0f;
+    program_->shift = glm::vec2(0.0f);
+    program_->tile = glm::vec2(0.0f);
+    everywhere_.draw();
+
+    glBindTexture(GL_TEXTURE_2D, layers_[0].texture.id());
+    if (!shifts.empty()) {
+        find_edges();
+        glViewport(0, 0, size.x, size.y);
+        program_->use();
+        program_->only_edges = 1.0f;
+        program_->tile = tile();
+    }
+    for (std::size_t k = 0; k < shifts.size(); ++k) {
+        glBindFramebuffer(GL_FRAMEBUFFER, layers_[1 + k].framebuffer.id());
+        if (k == 0) {
+            glDisable(GL_SCISSOR_TEST);
+            glClearBufferfv(GL_COLOR, 0, kLeftOut.data());
+            glEnable(GL_SCISSOR_TEST);
+        }
+        program_->shift = 2.0f * shifts[k] / glm::vec2(size);
+        draw_tiles();
+    }
+
+    if (blend) glEnable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+    glScissor(scissor[0], scissor[1], scissor[2], scissor[3]);
+    glBindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(framebuffer));
+}
+
+}  // namespace normalscope

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/camera.h"
+#include "core/implicit_surface.h"
+#include "gl/objects.h"
+#include "gl/programs.h"
+#include "gl/vertex_data.h"
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace normalscope {
+
+/// Meets the rays of a picture with a formula's surface, on the graphics processor: unit n_object and t for each pixel.
+/// Pixels that hold more than one thing are traced again for each of their samples.
+class Tracer {
+public:
+    /// `shifts` are the samples' places from their pixel's centre, in pixels; empty: the centres only.
+    void trace(const ImplicitSurface& surface, const CameraView& view, glm::ivec2 size,
+               const glm::dmat4& object_from_world, std::span<const glm::vec2> shifts);
+
+    /// What the last trace found: for the centres, and for each sample in the tiles that hold an edge.
+    const GlTexture& centres() const { return layers_[0].texture; }
+    const GlTexture& samples(std::size_t k) const { return layers_[1 + k].texture; }
+
+    /// Which tiles those are, how large they are in clip space, and a square for each.
+    const GlTexture& tiles() const { return tiles_->texture; }
+    glm::vec2 tile() const;
+    void draw_tiles() const { squares_.draw(tile_counts_.x * tile_counts_.y); }
+
+private:
+    struct Layer {
+        Layer(glm::ivec2 size, GLenum format);
+        GlTexture texture;
+        GlFramebuffer framebuffer;
+    };
+
+    void hold(const ImplicitSurface& surface);
+    void hold(glm::ivec2 size, std::size_t layers);
+    void find_edges();
+
+    std::string source_;  // that the program is made of
+    std::optional<TraceProgram> program_;
+    std::optional<EdgeTilesProgram> edge_program_;
+    glm::ivec2 size_{0}, tile_counts_{0};
+    std::vector<Layer> layers_;
+    std::optional<Layer> tiles_;
+    PaneVertices everywhere_;
+    TileVertices squares_;
+};
+
+}  // namespace normalscope

@@ -1,0 +1,139 @@
+// Where the ray through each pixel first meets f = 0. Before this file stand f, gradient and is_defined for the formula
+// at hand, the interpolation of f between DEGREE + 1 samples, and edges.glsl.
+//
+// A part of the ray is free of roots if all Bernstein coefficients of f there have one sign, has just one if they change
+// it once, and is halved otherwise. Polynomials of that degree are met exactly; for anything else the interpolant's
+// last terms tell how far it may be off, and what is not safe is halved.
+in vec3 ray;
+
+uniform vec3 eye;
+uniform vec3 box_low, box_high;  // beyond it there is no root
+uniform float ball;              // radius of the ball that cuts the surface off; 0: none does
+uniform sampler2D centres;       // what this wrote for the pixels' centres
+uniform float only_edges;        // 1: only where those show that a pixel holds more than one thing
+
+out vec4 hit;  // unit n_object, or 0 where there is none; t, or 0 for a miss, or −1 for a pixel left out
+
+const int ATTEMPTS = POLYNOMIAL ? 1 : 6;
+const int STEPS = POLYNOMIAL ? 48 : 384;
+const float NARROWEST = 1.0 / 4096.0;  // of the whole: there f is zero as far as floats can tell
+const float LARGEST = 3e37;
+
+void main() {
+    hit = vec4(0.0, 0.0, 0.0, -1.0);
+    if (only_edges > 0.5 && !is_edge(centres, ivec2(gl_FragCoord.xy))) return;
+    hit.w = 0.0;
+
+    // Along the ray from its point nearest to the middle, where floats are finest.
+    vec3 d = ray;
+    float to_nearest = -dot(eye, d) / dot(d, d);
+    vec3 o = eye + to_nearest * d;
+    vec3 safe = mix(d, vec3(1e-20), lessThan(abs(d), vec3(1e-20)));
+    vec3 a = (box_low - o) / safe, b = (box_high - o) / safe;
+    vec3 entry = min(a, b), leave = max(a, b);
+    float from = max(max(entry.x, entry.y), max(entry.z, -to_nearest)), to = min(leave.x, min(leave.y, leave.z));
+    if (ball > 0.0) {
+        float reach = sqrt(max(ball * ball - dot(o, o), 0.0) / dot(d, d));
+        from = max(from, -reach);
+        to = min(to, reach);
+    }
+    if (from >= to) return;
+
+    float narrowest = NARROWEST * (to - from);
+    float low = from, width = POLYNOMIAL ? to - from : 0.25 * (to - from);
+    float f_low = f(o + low * d), f_most = 0.0;
+    for (int attempt = 0; attempt < ATTEMPTS; ++attempt) {
+        // The first part with a root: f differs in sign at its ends, or only touches zero at `left`.
+        bool found = false, crosses = false;
+        float left = 0.0, right = 0.0, f_left = 0.0, f_right = 0.0, f_small = 0.0;
+        for (int i = 0; i < STEPS; ++i) {
+            float s[DEGREE + 1], c[DEGREE + 1];
+            s[0] = f_low;
+            float largest = abs(f_low), smallest = abs(f_low), nearest = low;
+            for (int j = 1; j <= DEGREE; ++j) {
+                float at = low + width * POINTS[j];
+                s[j] = f(o + at * d);
+                largest = max(largest, abs(s[j]));
+                nearest = abs(s[j]) < smallest ? at : nearest;
+                smallest = min(smallest, abs(s[j]));
+            }
+            to_bernstein(s, c);
+            float least = c[0], most = c[0], changes = 0.0;
+            for (int j = 1; j <= DEGREE; ++j) {
+                least = min(least, c[j]);
+                most = max(most, c[j]);
+                changes += c[j] < 0.0 != c[j - 1] < 0.0 ? 1.0 : 0.0;
+            }
+            float slack = ROUNDING * largest;
+            f_most = max(f_most, largest);
+            bool faithful = true;
+            if (!POLYNOMIAL) {
+                float last = last_terms(s);
+                slack += 2.0 * last;
+                faithful = last < 0.02 * (most - least) && largest < LARGEST;
+            }
+            bool free = least > slack || most < -slack, narrow = width < 1.5 * narrowest;
+            crosses = s[DEGREE] < 0.0 != f_low < 0.0;
+            found = !free && ((crosses && changes == 1.0 && faithful) ||
+                              (narrow && (POLYNOMIAL || crosses || smallest < 0.5 * min(abs(f_low), abs(s[DEGREE])))));
+            if (found) {
+                left = crosses ? low : nearest;
+                right = low + width;
+                f_left = f_low;
+                f_right = s[DEGREE];
+                f_small = smallest;
+                break;
+            }
+            if (free || narrow) {
+                low += width;
+                f_low = s[DEGREE];
+                if (low >= to - 0.5 * narrowest) break;
+                width = min(2.0 * width, to - low);
+            } else {
+                width *= 0.5;
+            }
+        }
+        if (!found) return;
+
+        // The root between the ends by the regula falsi, in the form that halves the value at an end which stays (Illinois);
+        // a step that leaves more than half of the part is followed by one that halves it: near a multiple root, or a pole.
+        low = right;
+        f_low = f_right;
+        float t = left, f_t = 0.0, side = f_left < 0.0 ? -1.0 : 1.0;
+        bool halve = false;
+        for (int i = 0; i < 40 && crosses; ++i) {
+            float before = right - left;
+            t = halve ? left + 0.5 * before : (left * f_right - right * f_left) / (f_right - f_left);
+            f_t = f(o + t * d);
+            bool done = f_t == 0.0 || abs(t - right) < 2e-7 * (to - from);
+            if (f_t < 0.0 != f_right < 0.0) {
+                left = right;
+                f_left = f_right;
+            } else {
+                f_left *= 0.5;
+            }
+            right = t;
+            f_right = f_t;
+            halve = abs(right - left) > 0.5 * abs(before);
+            if (done) break;
+        }
+        vec3 p = o + t * d;
+        // A pole changes its sign as well, but f grows towards it; and where f has no value there is no surface.
+        if (!POLYNOMIAL && (abs(f_t) > 2.0 * f_small || !is_defined(p))) {
+            width = min(narrowest, to - low);
+            if (low >= to - 0.5 * narrowest) return;
+            continue;
+        }
+        vec3 n = gradient(p);
+        // Where f only touches zero, as a square does, its gradient may be but rounding: a point nearer to the eye has one.
+        if (!crosses && length(n) * length(d) * narrowest < 4.0 * ROUNDING * f_most)
+            n = gradient(p - 4.0 * narrowest * d);
+        // Divided first by the largest: squares of floats overflow soon.
+        float size = max(abs(n.x), max(abs(n.y), abs(n.z)));
+        n = size > 1e-30 ? normalize(n / size) : vec3(0.0);
+        // Seen from where f > 0 it faces the eye; where it is seen edge-on, rounding must not turn it over.
+        n -= max(side * dot(n, d), 0.0) * side / dot(d, d) * d;
+        hit = vec4(n, to_nearest + t);
+        return;
+    }
+}
