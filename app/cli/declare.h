@@ -7,7 +7,9 @@
 #include <CLI/CLI.hpp>
 
 #include <functional>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace normalscope {
 
@@ -56,6 +58,21 @@ struct GivenTolerance {
     Tolerance read() const;
     /// Whether any of them was given, of the command that they were added to.
     bool given(const CLI::App& app) const;
+};
+
+/// All that there is on a command line.
+struct CommandLine {
+    CommandLine();
+    ~CommandLine();
+    CommandLine(const CommandLine&) = delete;
+    CommandLine& operator=(const CommandLine&) = delete;
+
+private:
+    std::unique_ptr<CLI::App> root_;
+
+public:
+    Declared view;  ///< the root itself: without a command
+    std::vector<Declared> commands;
 };
 
 // The commands that make or judge many pictures; the others are declared where the command line is parsed.

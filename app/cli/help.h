@@ -15,4 +15,13 @@ std::string usage_line(const CLI::App& app);
 /// differs from version to version.
 std::string help_text(const CLI::App& app);
 
+// What is installed beside the program, from the same declarations.
+
+/// The manual page, as troff.
+std::string manual_page();
+/// What completes a command line; the shells are bash, zsh and fish.
+std::string bash_completion();
+std::string zsh_completion();
+std::string fish_completion();
+
 }  // namespace normalscope

@@ -169,12 +169,20 @@ void refuse_misspelt_command(const CLI::App& root, const std::string& file) {
 
 }  // namespace
 
+CommandLine::CommandLine()
+    : root_{std::make_unique<CLI::App>("Shows what a transformation does to a surface's normals.", "normalscope")},
+      view{declare_view(*root_)},
+      commands{declare_capture(*root_), declare_sweep(*root_),   declare_explain(*root_),
+               declare_scenes(*root_),  declare_compare(*root_), declare_check(*root_)} {
+    root_->require_subcommand(0, 1);
+}
+CommandLine::~CommandLine() = default;
+
 Command parse_command_line(int argc, const char* const* argv) {
-    CLI::App root{"Shows what a transformation does to a surface's normals.", "normalscope"};
-    root.require_subcommand(0, 1);
-    const Declared view = declare_view(root);
-    const std::vector<Declared> commands{declare_capture(root), declare_sweep(root),   declare_explain(root),
-                                         declare_scenes(root),  declare_compare(root), declare_check(root)};
+    const CommandLine line;
+    CLI::App& root = *line.view.app;
+    const Declared& view = line.view;
+    const std::vector<Declared>& commands = line.commands;
     const auto chosen = [&]() -> const Declared& {
         for (const Declared& command : commands)
             if (command.app->parsed()) return command;
