@@ -2,6 +2,8 @@
 
 #include "core/mistakes.h"
 
+#include <glm/geometric.hpp>
+
 #include <array>
 #include <cmath>
 
@@ -63,9 +65,21 @@ std::vector<std::string> notes(const Scene& scene, const Transform<World, Object
             "The smallest stretch factor is no larger than what rounding makes of zero (4ε of the largest), or an "
             "entry of the "
             "stack is singular: it counts as zero.");
-    if (!probe)
+    if (std::holds_alternative<FormulaSurface>(scene.surface) && matrices.rank < 3)
         result.emplace_back(
-            "The camera sees nothing of the surface, so there is no probe, and the derivation has no numbers.");
+            "Without M⁻¹ no ray finds its way to object space: the picture shows the surface's triangles, carried "
+            "along "
+            "by M.");
+    if (probe && probe->borrowed_from)
+        result.push_back(
+            "At the probe ∇f is zero: there is no normal. What follows borrows that of a neighbour on the "
+            "surface, " +
+            number_text(glm::distance(probe->borrowed_from->xyz, probe->point.xyz), 0.0, 3) + " away.");
+    if (!probe)
+        result.push_back(
+            "The camera sees nothing of the surface" +
+            std::string(std::holds_alternative<FormulaSurface>(scene.surface) ? " that has a normal" : "") +
+            ", so there is no probe, and the derivation has no numbers.");
     return result;
 }
 
@@ -97,7 +111,10 @@ Explanation explanation(const Scene& scene, const std::optional<Probe>& probe, s
 std::string explain(const Scene& scene, ExplainFormat format) {
     SurfaceCache surfaces;
     const Frame frame = make_frame(scene, surfaces.get(scene), {.rect = {{0, 0}, {1280, 720}}});
-    const Explanation e = explanation(scene, frame.probe ? std::optional(frame.probe->object) : std::nullopt);
+    Explanation e = explanation(scene, frame.probe ? std::optional(frame.probe->object) : std::nullopt);
+    e.implicit = frame.surface->implicit;
+    if (e.probe) e.gradient = gradient_report(*frame.surface, *e.probe);
+    if (e.implicit && !frame.surface->mesh.note.empty()) e.notes.push_back(frame.surface->mesh.note);
     switch (format) {
         case ExplainFormat::Text: return explanation_text(e);
         case ExplainFormat::Json: return explanation_json(scene, frame, e);

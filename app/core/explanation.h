@@ -5,6 +5,7 @@
 #include "core/derivation.h"
 #include "core/explain_format.h"
 #include "core/frame.h"
+#include "core/gradient_report.h"
 #include "core/map_class.h"
 #include "core/scene.h"
 
@@ -21,6 +22,8 @@ struct Explanation {
     NormalMatrices matrices;
     std::optional<Probe> probe;
     std::vector<std::string> notes;
+    std::shared_ptr<const ImplicitSurface> implicit;  ///< where the surface comes from a formula
+    std::optional<GradientReport> gradient;           ///< of that formula, at the probe
     Derivation derivation;
     std::vector<EntryAlgebra> stack;
     std::vector<OrderOfInverses> orders;  ///< empty for an empty stack
@@ -33,7 +36,8 @@ struct Explanation {
 std::vector<std::string> notes(const Scene& scene, const Transform<World, Object>& m,
                                const std::optional<Probe>& probe);
 
-/// Throws InputError as world_from_object does. Independent of the surface, but for its probe: about 0.1 ms.
+/// Throws InputError as world_from_object does. Independent of the surface, but for its probe: about 0.1 ms. What
+/// follows from the surface's formula is left to `explain`.
 /// `tangent`: which of the probe's two tangents the derivation follows.
 Explanation explanation(const Scene& scene, const std::optional<Probe>& probe, std::size_t tangent = 0);
 

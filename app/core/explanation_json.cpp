@@ -1,9 +1,12 @@
 // The explanation for programs.
 
 #include "core/explanation.h"
+#include "core/formula/print.h"
 #include "core/json_text.h"
 #include "core/json_values.h"
 #include "core/numbers.h"
+
+#include <glm/geometric.hpp>
 
 namespace normalscope {
 
@@ -128,6 +131,37 @@ Json json_of(const MapClaims& c) {
             {"digits_lost", json_of(c.digits_lost)}};
 }
 
+Json json_of(const GradientReport& g) {
+    Json j{{"f", json_number(g.f)},
+           {"gradient", json_vector(g.gradient)},
+           {"length", json_number(glm::length(g.gradient))},
+           {"normal", json_or_null(g.normal, [](const auto& n) { return json_vector(n.xyz); })}};
+    j["differences"] = {{"step", json_number(g.step)},
+                        {"gradient", json_vector(g.differences.vector)},
+                        {"degrees_off", json_of(g.differences.degrees_off)}};
+    j["polygon"] = json_or_null(g.polygon, [](const GradientReport::Other& p) {
+        return Json{{"normal", json_vector(p.vector)}, {"degrees_off", json_of(p.degrees_off)}};
+    });
+    return j;
+}
+
+// As parse() reads them: null for what is too long for anybody.
+Json formula_json(const ImplicitSurface& surface) {
+    constexpr std::array<const char*, 4> kKeys{"f", "df/dx", "df/dy", "df/dz"};
+    const formulas::Formula& formula = surface.formula();
+    Json j;
+    for (std::size_t i = 0; i < kKeys.size(); ++i) {
+        const std::vector<formulas::Piece> pieces = formulas::pieces(formula.graph, formula.expressions()[i]);
+        const bool whole = pieces.back().kind != formulas::Piece::Kind::Truncated;
+        j[kKeys[i]] = whole ? Json(formulas::to_text(pieces)) : Json(nullptr);
+    }
+    j["parameters"] = Json::object();
+    for (const char letter : formula.parameters)
+        j["parameters"][std::string(1, letter)] =
+            json_number(surface.source().parameters[formulas::kParameterNames.find(letter)]);
+    return j;
+}
+
 }  // namespace
 
 std::string explanation_json(const Scene& scene, const Frame& frame, const Explanation& e) {
@@ -135,6 +169,8 @@ std::string explanation_json(const Scene& scene, const Frame& frame, const Expla
     j["about"] = e.about;
     j["notes"] = e.notes;
     j["n_world_by"] = e.derivation.n_world_by ? Json(name(*e.derivation.n_world_by)) : Json(nullptr);
+    j["formula"] = e.implicit ? formula_json(*e.implicit) : Json(nullptr);
+    j["gradient"] = json_or_null(e.gradient, [](const GradientReport& g) { return json_of(g); });
     j["derivation"] = Json::array();
     for (const Step& step : e.derivation.steps) j["derivation"].push_back(json_of(step));
     j["check"] = json_by_rule(e.derivation.checks, [](const RuleCheck& c) { return json_of(c); });

@@ -1,7 +1,12 @@
 // The explanation as a document: article and amsmath; color for the colours, geometry for the margins.
 
 #include "core/explanation.h"
+#include "core/formula/print.h"
 #include "core/latex.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
 
 namespace normalscope {
 
@@ -42,6 +47,51 @@ std::string of_matrix(const Explanation& e) {
                 (e.claims.condition ? latex_number(*e.claims.condition) : "\\text{--}"));
     for (const std::string& note : e.notes) out += latex_text(note) + "\n\n";
     return out;
+}
+
+std::string vector(const glm::dvec3& v) {
+    std::string text;
+    for (glm::length_t i = 0; i < 3; ++i)
+        text += (i > 0 ? ",\\; " : "(") + (std::isfinite(v[i]) ? latex_number(v[i]) : "\\text{--}");
+    return "$" + text + ")$";
+}
+
+std::string of_gradient(const Explanation& e) {
+    if (!e.implicit) return "";
+    constexpr std::size_t kMostPieces = 600;
+    constexpr std::array<std::string_view, 4> kNames{"f(x, y, z)", "\\frac{\\partial f}{\\partial x}",
+                                                     "\\frac{\\partial f}{\\partial y}",
+                                                     "\\frac{\\partial f}{\\partial z}"};
+    const formulas::Formula& formula = e.implicit->formula();
+    // Inline, since TeX breaks such lines by itself.
+    std::string out = "\\subsection*{The normal is the gradient}\n{\\sloppy\n";
+    for (std::size_t i = 0; i < kNames.size(); ++i) {
+        const std::vector<formulas::Piece> pieces =
+            formulas::pieces(formula.graph, formula.expressions()[i], kMostPieces);
+        const bool whole = pieces.back().kind != formulas::Piece::Kind::Truncated;
+        out += "$\\displaystyle " + std::string(kNames[i]) + " = " +
+               (whole ? formulas::to_latex(pieces) : "\\text{(too long to be written here)}") + "$\n\n";
+    }
+    out += "}\n";
+    for (const char letter : formula.parameters)
+        out += "$" + std::string(1, letter) + " = " +
+               latex_number(e.implicit->source().parameters[formulas::kParameterNames.find(letter)]) + "$\n\n";
+    if (!e.gradient) return out;
+    const GradientReport& g = *e.gradient;
+    out += "At the probe $f = " + latex_number(g.f) + "$, $\\nabla f = {}$" + vector(g.gradient) + ", $|\\nabla f| = " +
+           (std::isfinite(glm::length(g.gradient)) ? latex_number(glm::length(g.gradient)) : "\\text{--}") +
+           "$.\n\n\\begin{tabular}{llr}\n & normal & off by \\\\ \\hline\n";
+    const auto row = [](const std::string& what, const glm::dvec3& v, const std::optional<double>& off) {
+        return what + " & " + vector(v) + " & " + (off ? "$" + latex_number(*off, 0.0, 3) + "^\\circ$" : "--") +
+               " \\\\\n";
+    };
+    out += g.normal ? row("$\\nabla f / |\\nabla f|$", g.normal->xyz, 0.0)
+                    : "$\\nabla f / |\\nabla f|$ & no normal: $\\nabla f$ is zero or does not exist & \\\\\n";
+    const glm::dvec3& d = g.differences.vector;
+    out += row("differences of $f$, $h = " + latex_number(g.step) + "$",
+               glm::length(d) > 0.0 ? glm::normalize(d) : glm::dvec3(0.0), g.differences.degrees_off);
+    if (g.polygon) out += row("a triangle's cross product", g.polygon->vector, g.polygon->degrees_off);
+    return out + "\\end{tabular}\n\n";
 }
 
 std::string of_derivation(const Explanation& e) {
@@ -162,8 +212,9 @@ std::string of_classes(const Explanation& e) {
 }  // namespace
 
 std::string explanation_latex(const Explanation& e) {
-    return preamble(e) + of_matrix(e) + of_derivation(e) + of_checks(e) + of_homogeneous(e.derivation.homogeneous) +
-           of_stack(e) + of_decomposition(e.decomposition) + of_classes(e) + "\\end{document}\n";
+    return preamble(e) + of_matrix(e) + of_gradient(e) + of_derivation(e) + of_checks(e) +
+           of_homogeneous(e.derivation.homogeneous) + of_stack(e) + of_decomposition(e.decomposition) + of_classes(e) +
+           "\\end{document}\n";
 }
 
 }  // namespace normalscope

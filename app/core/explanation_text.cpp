@@ -1,18 +1,26 @@
 // The explanation for a terminal.
 
 #include "core/explanation.h"
+#include "core/formula/print.h"
 #include "core/text_box.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
+#include <cmath>
 
 namespace normalscope {
 
 namespace {
 
 constexpr std::size_t kWidth = 96, kIndent = 5, kReasonColumn = 41;
+constexpr std::size_t kMostPieces = 600;  // of a formula; nobody reads more
 
 std::string degrees_text(double degrees) { return number_text(degrees, 1e-7, 3) + "°"; }
 std::string degrees_text(const std::optional<double>& degrees) { return degrees ? degrees_text(*degrees) : "–"; }
+
+// An angle that may be far below a thousandth of a degree.
+std::string degrees_off(double degrees) { return number_text(degrees, 0.0, 3) + "°"; }
 
 std::string heading(const std::string& title) {
     std::string line = "\n── " + title + " ";
@@ -85,6 +93,54 @@ std::string of_matrix(const Explanation& e) {
                             text_box("  tangents"), vector(e.probe->tangents[0]), vector(e.probe->tangents[1])})
                         .lines,
                     2);
+}
+
+// "(0.94, 0.684, 1.6275)"; dashes for what does not exist.
+std::string vector_text(const glm::dvec3& v) {
+    std::string text;
+    for (glm::length_t i = 0; i < 3; ++i)
+        text += (i > 0 ? ", " : "(") + (std::isfinite(v[i]) ? number_text(v[i]) : "–");
+    return text + ")";
+}
+
+// What a formula is written as, a long one over several lines.
+std::string expression_lines(std::string_view name, const formulas::Formula& formula, formulas::Id id) {
+    const std::vector<formulas::Piece> pieces = formulas::pieces(formula.graph, id, kMostPieces);
+    const std::string text = pieces.back().kind == formulas::Piece::Kind::Truncated ? "too long to be written here"
+                                                                                    : formulas::to_unicode(pieces);
+    const std::string head = padded(name, 10) + " = ";
+    std::vector<std::string> lines = wrapped(text, kWidth - columns(head) - 2);
+    for (std::size_t i = 0; i < lines.size(); ++i) lines[i] = (i == 0 ? head : padded("", columns(head))) + lines[i];
+    return indented(lines, 2);
+}
+
+std::string of_gradient(const Explanation& e) {
+    if (!e.implicit) return "";
+    const formulas::Formula& formula = e.implicit->formula();
+    std::string out = heading("The normal is the gradient: ∇f = (∂f/∂x, ∂f/∂y, ∂f/∂z)");
+    for (std::size_t i = 0; i < kFormulaNames.size(); ++i)
+        out += expression_lines(kFormulaNames[i], formula, formula.expressions()[i]);
+    std::string values;
+    for (const char letter : formula.parameters)
+        values += (values.empty() ? "where " : ", ") + std::string(1, letter) + " = " +
+                  number_text(e.implicit->source().parameters[formulas::kParameterNames.find(letter)]);
+    if (!values.empty()) out += "\n" + paragraph(values, 2);
+    if (!e.gradient) return out;
+    const GradientReport& g = *e.gradient;
+    out += "\nAt the probe:\n\n" + indented({"f = " + number_text(g.f) + ",  ∇f = " + vector_text(g.gradient) +
+                                             ",  |∇f| = " + number_text(glm::length(g.gradient))},
+                                            2);
+    const auto row = [](std::string_view what, const glm::dvec3& v, const std::optional<double>& off) {
+        return indented({padded(what, 39) + padded(vector_text(v), 34) + (off ? degrees_off(*off) : "–")}, 2);
+    };
+    out += "\n  " + padded("the normal", 73) + "off by\n";
+    out += g.normal ? row("∇f / |∇f|, exactly", g.normal->xyz, 0.0)
+                    : indented({"∇f / |∇f|: no normal here, since ∇f is zero or does not exist"}, 2);
+    out += row("differences of f, h = " + number_text(g.step),
+               glm::length(g.differences.vector) > 0.0 ? glm::normalize(g.differences.vector) : glm::dvec3(0.0),
+               g.differences.degrees_off);
+    if (g.polygon) out += row("a triangle's cross product", g.polygon->vector, g.polygon->degrees_off);
+    return out;
 }
 
 std::string of_derivation(const Explanation& e) {
@@ -245,8 +301,8 @@ std::string of_classes(const Explanation& e) {
 
 std::string explanation_text(const Explanation& e) {
     std::string out = e.about.empty() ? "" : paragraph(e.about) + "\n";
-    out += of_matrix(e) + of_derivation(e) + of_checks(e) + of_homogeneous(e.derivation.homogeneous) + of_stack(e) +
-           of_orders(e) + of_decomposition(e.decomposition) + of_classes(e);
+    out += of_matrix(e) + of_gradient(e) + of_derivation(e) + of_checks(e) + of_homogeneous(e.derivation.homogeneous) +
+           of_stack(e) + of_orders(e) + of_decomposition(e.decomposition) + of_classes(e);
     return out + "\n" +
            paragraph(
                "Numbers no larger than their rounding error (first order; 4ε of a matrix's largest entries) are "

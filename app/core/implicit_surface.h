@@ -8,9 +8,11 @@
 #include "core/mesh.h"
 #include "core/scene.h"
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace normalscope {
@@ -58,6 +60,9 @@ private:
     bool zero_everywhere_ = false;
     std::optional<formulas::Box> region_;
 };
+
+/// "f(x, y, z)", "∂f/∂x", "∂f/∂y" or "∂f/∂z": what each line of a formula's writing is about.
+inline constexpr std::array<std::string_view, 4> kFormulaNames{"f(x, y, z)", "∂f/∂x", "∂f/∂y", "∂f/∂z"};
 
 /// Triangles near the surface with their vertices on it and exact normals there: where its arrows stand, what is drawn
 /// where M has no inverse, what errors are measured over. `cells` a side.

@@ -120,22 +120,27 @@ std::optional<SurfaceHit> first_hit(const Mesh& mesh, const Transform<World, Obj
     return SurfaceHit{probe_at(mesh, *triangle, barycentric), nearest};
 }
 
-std::optional<Probe> nearest_probe(const Mesh& mesh, Point<Object> p) {
+std::optional<std::size_t> nearest_triangle(const Mesh& mesh, Point<Object> p) {
     double nearest = std::numeric_limits<double>::infinity();
-    const glm::uvec3* triangle = nullptr;
-    glm::dvec3 barycentric(0.0);
-    for (const glm::uvec3& t : mesh.triangles) {
+    std::optional<std::size_t> triangle;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const glm::uvec3& t = mesh.triangles[i];
         const glm::dvec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];
-        const glm::dvec3 candidate = nearest_barycentric(a, b, c, p.xyz);
-        const glm::dvec3 gap = candidate.x * a + candidate.y * b + candidate.z * c - p.xyz;
+        const glm::dvec3 at = nearest_barycentric(a, b, c, p.xyz);
+        const glm::dvec3 gap = at.x * a + at.y * b + at.z * c - p.xyz;
         if (glm::dot(gap, gap) < nearest) {
             nearest = glm::dot(gap, gap);
-            triangle = &t;
-            barycentric = candidate;
+            triangle = i;
         }
     }
+    return triangle;
+}
+
+std::optional<Probe> nearest_probe(const Mesh& mesh, Point<Object> p) {
+    const auto triangle = nearest_triangle(mesh, p);
     if (!triangle) return std::nullopt;
-    return probe_at(mesh, *triangle, barycentric);
+    const glm::uvec3& t = mesh.triangles[*triangle];
+    return probe_at(mesh, t, nearest_barycentric(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z], p.xyz));
 }
 
 std::optional<Probe> probe_in_view(const Mesh& mesh, const Transform<World, Object>& worldFromObject,

@@ -47,6 +47,9 @@ struct SurfaceHit {
 std::optional<SurfaceHit> first_hit(const Mesh& mesh, const Transform<World, Object>& worldFromObject,
                                     const Ray<World>& ray);
 
+/// The index of the triangle that is nearest to `p`; empty only for a mesh without triangles.
+std::optional<std::size_t> nearest_triangle(const Mesh& mesh, Point<Object> p);
+
 /// The point of the surface that is nearest to `p`; empty only for a mesh without triangles.
 std::optional<Probe> nearest_probe(const Mesh& mesh, Point<Object> p);
 

@@ -24,6 +24,15 @@ std::string lower_case_ending(const fs::path& file) {
     return ending;
 }
 
+// The built-in scenes' names in one line: those of the gallery only where one of them was meant.
+std::string names_like(std::string_view wanted) {
+    const bool gallery = wanted.starts_with(kGalleryPrefix.substr(0, 4));
+    std::string names;
+    for (const BuiltInScene& scene : built_in_scenes())
+        if (scene.name.starts_with(kGalleryPrefix) == gallery) names += (names.empty() ? "" : ", ") + scene.name;
+    return gallery ? names : names + ", and others by \"normalscope scenes\"";
+}
+
 }  // namespace
 
 bool is_mesh_file(const fs::path& file) {
@@ -58,9 +67,7 @@ Scene load_scene(const std::string& file_or_name) {
     if (fs::exists(path, ignored))
         throw InputError(file_or_name +
                          ": its ending tells nothing; a scene ends in .json, a mesh in .obj, .ply or .stl");
-    std::string names;
-    for (const BuiltInScene& scene : built_in_scenes()) names += (names.empty() ? "" : ", ") + scene.name;
-    throw InputError(file_or_name + ": no such file, nor a built-in scene (" + names + ")");
+    throw InputError(file_or_name + ": no such file, nor a built-in scene (" + names_like(file_or_name) + ")");
 }
 
 void save_scene(const Scene& scene, const fs::path& file) {

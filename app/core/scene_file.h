@@ -26,6 +26,8 @@ struct BuiltInScene {
 };
 /// The built-in scenes in alphabetical order, from assets/scenes.
 std::vector<BuiltInScene> built_in_scenes();
+/// What the names of the surfaces by formula begin with.
+inline constexpr std::string_view kGalleryPrefix = "implicit-";
 inline constexpr std::string_view kDefaultScene = "slide-scale";
 
 }  // namespace normalscope

@@ -14,6 +14,9 @@ struct Formula {
     Id f = 0;
     std::array<Id, 3> gradient{};
     std::string parameters;  ///< the letters of those that occur, in order: "ac"
+
+    /// f, then the partial derivatives.
+    std::array<Id, 4> expressions() const { return {f, gradient[0], gradient[1], gradient[2]}; }
 };
 
 /// What the user typed (parse.h says what is understood). Throws SyntaxError with the column; InputError where the
