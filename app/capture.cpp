@@ -89,16 +89,16 @@ Capture Studio::capture(const Scene& scene, const CaptureOptions& options) {
     } const forget{gui, options.panel};
     if (options.panel) {
         gui.reset();
-        gui.emplace();
+        gui.emplace(Gui::Brush::Processor);
         gui->interface.prepare(scene.theme, scale);
         if (!gui->interface.show_tab(options.tab)) throw UsageError(unknown_tab(options.tab));
         rect = gui->interface.picture(options.size);
     }
     const Frame frame = make_frame(scene, surface, {.rect = rect, .pixel_scale = scale, .handles = options.panel});
 
-    equipment_->renderer->draw(frame, target);
-    if (options.panel || has_words(frame)) {
-        if (!gui) gui.emplace();
+    // Words are laid out on a thread of their own: that takes as long as to compile a shader.
+    const auto lay_out = [&] {
+        if (!gui) gui.emplace(Gui::Brush::Processor);
         Status status;
         const Transform<World, Object> m = world_from_object(scene);
         if (const auto naive = normal_map(scene, m, Rule::Naive); naive && options.panel)
@@ -112,10 +112,16 @@ Capture Studio::capture(const Scene& scene, const CaptureOptions& options) {
                 else
                     gui->interface.draw_words(frame);
             });
-        gui->draw();
-    }
+    };
+    std::future<void> words;
+    if (options.panel || has_words(frame)) words = std::async(std::launch::async, lay_out);
 
+    equipment_->renderer->draw(frame, target);
     Capture result{target.read(), {}};
+    if (words.valid()) {
+        words.get();
+        gui->paint(result.image);
+    }
     if (options.numbers)
         result.numbers = numbers_text(scene, frame,
                                       {.program = NORMALSCOPE_VERSION,

@@ -1,5 +1,7 @@
 #include "gui.h"
 
+#include "ui/painter.h"
+
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
 #include <imgui_impl_opengl3.h>
@@ -7,24 +9,27 @@
 
 namespace normalscope {
 
-Gui::Gui(GLFWwindow* window) : has_window_(window != nullptr) {
+Gui::Gui(Brush brush, GLFWwindow* window) : brush_(brush), has_window_(window != nullptr) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;  // what is worth remembering is in the settings
     if (has_window_) ImGui_ImplGlfw_InitForOpenGL(window, true);
-    ImGui_ImplOpenGL3_Init("#version 330 core");
+    if (brush_ == Brush::Gl) ImGui_ImplOpenGL3_Init("#version 330 core");
 }
 
 Gui::~Gui() {
-    ImGui_ImplOpenGL3_Shutdown();
+    if (brush_ == Brush::Gl) ImGui_ImplOpenGL3_Shutdown();
     if (has_window_) ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext();
 }
 
 void Gui::layout(glm::ivec2 framebuffer, Theme theme, float scale, const std::function<void()>& content) {
     ImGuiIO& io = ImGui::GetIO();
-    // The backend's NewFrame uploads a new font atlas only where it makes everything anew.
-    if (interface.prepare(theme, scale)) ImGui_ImplOpenGL3_DestroyDeviceObjects();
-    ImGui_ImplOpenGL3_NewFrame();
+    const bool new_fonts = interface.prepare(theme, scale);
+    if (brush_ == Brush::Gl) {
+        // The backend's NewFrame uploads a new font atlas only where it makes everything anew.
+        if (new_fonts) ImGui_ImplOpenGL3_DestroyDeviceObjects();
+        ImGui_ImplOpenGL3_NewFrame();
+    }
     if (has_window_)
         ImGui_ImplGlfw_NewFrame();
     else
@@ -38,6 +43,7 @@ void Gui::layout(glm::ivec2 framebuffer, Theme theme, float scale, const std::fu
 }
 
 void Gui::draw() const { ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData()); }
+void Gui::paint(Image& image) const { normalscope::paint(*ImGui::GetDrawData(), image); }
 
 bool Gui::wants_mouse() const { return ImGui::GetIO().WantCaptureMouse; }
 bool Gui::wants_keyboard() const { return ImGui::GetIO().WantTextInput; }

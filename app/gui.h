@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/frame.h"
+#include "core/image.h"
 #include "ui/interface.h"
 
 #include <functional>
@@ -9,11 +10,13 @@ struct GLFWwindow;
 
 namespace normalscope {
 
-/// Dear ImGui's context and its GL backend around an Interface. Needs a current GL context, and must die before it.
+/// Dear ImGui's context around an Interface.
 class Gui {
 public:
+    /// What draws it: GL, which needs a context that is current and outlives this, or the processor, into an Image.
+    enum class Brush { Gl, Processor };
     /// `window` gets the keyboard and the mouse; none off-screen.
-    explicit Gui(GLFWwindow* window = nullptr);
+    explicit Gui(Brush brush, GLFWwindow* window = nullptr);
     ~Gui();
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
@@ -21,8 +24,10 @@ public:
     /// One round of the interface: `content` runs between NewFrame and Render. Off-screen, time advances by a fixed
     /// step, so that the same calls give the same picture.
     void layout(glm::ivec2 framebuffer, Theme theme, float scale, const std::function<void()>& content);
-    /// Draws the last round into the bound framebuffer.
+    /// Draws the last round into the bound framebuffer,
     void draw() const;
+    /// or into a picture.
+    void paint(Image& image) const;
 
     bool wants_mouse() const;
     bool wants_keyboard() const;
@@ -34,6 +39,7 @@ public:
     Interface interface;
 
 private:
+    Brush brush_;
     bool has_window_;
 };
 

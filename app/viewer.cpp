@@ -83,7 +83,7 @@ private:
         explicit Current(Window& window) { window.make_current(); }
     } current_{window_};
     Renderer renderer_;
-    Gui gui_{window_.handle()};
+    Gui gui_{Gui::Brush::Gl, window_.handle()};
     std::optional<Target> target_;
     std::unique_ptr<SurfaceCache> surfaces_ = std::make_unique<SurfaceCache>();
 

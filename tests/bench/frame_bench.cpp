@@ -26,7 +26,7 @@ double median_frame_milliseconds(int samples) {
     constexpr int kFrames = 60;
     Target target(kSize, samples);
     Renderer renderer;
-    Gui gui;
+    Gui gui(Gui::Brush::Gl);
     SurfaceCache surfaces;
     Scene scene = load_scene(std::string(kDefaultScene));
     std::vector<double> milliseconds;
