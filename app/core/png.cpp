@@ -79,8 +79,11 @@ std::string png_bytes(const Image& image) {
 void write_png(const std::filesystem::path& file, const Image& image) { write_file(file, png_bytes(image)); }
 
 Image read_png(const std::filesystem::path& file) {
-    const std::string bytes = read_file(file, kLargestPngFile);
-    const auto fail = [&](const std::string& what) { throw InputError(file.string() + ": " + what); };
+    return decoded_png(read_file(file, kLargestPngFile), file.string());
+}
+
+Image decoded_png(std::string_view bytes, const std::string& name) {
+    const auto fail = [&](const std::string& what) { throw InputError(name + ": " + what); };
     if (bytes.empty()) fail("is empty, so it is no PNG picture");
     if (!bytes.starts_with("\x89PNG\r\n\x1a\n")) fail("is no PNG picture");
 

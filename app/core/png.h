@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace normalscope {
 
@@ -17,5 +18,7 @@ void write_png(const std::filesystem::path& file, const Image& image);
 /// Reads a PNG of any kind: grey, palette, 16 bits, interlaced. Throws InputError for what cannot be read, is no PNG,
 /// is cut short, or is larger than kLongestSide and kMostPixels.
 Image read_png(const std::filesystem::path& file);
+/// The same of a file's bytes; `name` names them in errors.
+Image decoded_png(std::string_view bytes, const std::string& name);
 
 }  // namespace normalscope
