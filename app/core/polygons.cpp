@@ -1,5 +1,6 @@
 #include "core/polygons.h"
 
+#include "core/closed.h"
 #include "core/error.h"
 
 #include <glm/common.hpp>
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <limits>
 
 namespace normalscope {
@@ -244,6 +246,7 @@ Mesh mesh_of(Polygons polygons, const std::string& file) {
     }
     flat += dropped;
 
+    std::future<bool> closed = std::async(std::launch::async, [&mesh] { return is_closed(mesh); });
     mesh.normal_source = kinds.any_normal ? NormalSource::File : NormalSource::Computed;
     normalise(mesh.normals);
     const auto missing = static_cast<std::size_t>(std::ranges::count(mesh.normals, glm::dvec3(0.0)));
@@ -258,6 +261,7 @@ Mesh mesh_of(Polygons polygons, const std::string& file) {
     }
     if (flat > 0)
         mesh.note += (mesh.note.empty() ? short_name + ": " : "; ") + counted(flat, "face") + " without area left out";
+    mesh.closed = closed.get();
     return mesh;
 }
 

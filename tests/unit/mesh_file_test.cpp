@@ -123,6 +123,30 @@ TEST_F(MeshFile, ObjPolygonsKeepTheirIdentity) {
     EXPECT_NEAR(pentagon / quad, -10.0 / 16.0, 1e-12);  // no triangle of the pentagon is turned over
 }
 
+// The back of what is closed is not drawn: a hole or a part that is inside out would be seen through.
+TEST_F(MeshFile, KnowsWhatIsClosed) {
+    const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n", open = "f 1 3 2\nf 1 2 4\nf 2 3 4\n";
+    const std::string beside = "v 5 0 0\nv 6 0 0\nv 5 1 0\nv 5 0 1\n";
+    EXPECT_TRUE(load("a.obj", corners + open + "f 3 1 4\n").closed);
+    EXPECT_FALSE(load("a.obj", corners + open).closed);
+    EXPECT_FALSE(load("a.obj", corners + open + "f 1 3 4\n").closed) << "one face is turned over";
+    EXPECT_FALSE(load("a.obj", corners + "f 2 3 1\nf 4 2 1\nf 4 3 2\nf 4 1 3\n").closed) << "inside out";
+    EXPECT_FALSE(load("a.obj", corners + open + "f 3 1 4\n" + beside + "f 6 7 5\nf 8 6 5\nf 8 7 6\nf 8 5 7\n").closed)
+        << "one of two parts is inside out";
+}
+
+TEST_F(MeshFile, ObjNumbersAreReadAsCRoundsThem) {
+    for (const std::string& x :
+         {std::string("0.1"), std::string("123456.789012345"), std::string("3.14159265358979323846"),
+          std::string("1234567890123456789"), std::string("1.7976931348623157e10"), std::string("5.e-1"),
+          std::string("000000000000000000000.25"), std::string(".333333333333333333")}) {
+        const Mesh mesh =
+            load("a.obj", "v " + x + " 0 0\nv -" + x + " 0 0\nv 0 " + x + " 0\nv 0 -" + x + " 0\nf 1 3 2\nf 1 2 4\n");
+        EXPECT_EQ(mesh.positions[0], glm::dvec3(1, 0, 0)) << x;
+        EXPECT_EQ(mesh.positions[1], glm::dvec3(-1, 0, 0)) << x;
+    }
+}
+
 TEST_F(MeshFile, FacesWithoutAreaAreLeftOut) {
     const Mesh mesh = load("a.obj", kTriangle + "v 2 0 0\nv 9 9 9\nf 1 2 4\nf 1 2 3\nf 1 1 3\nf 1 2\n");
     expect_sound(mesh);
