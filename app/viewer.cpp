@@ -200,6 +200,7 @@ void Viewer::on_key(int key, int modifiers) {
             case GLFW_KEY_Y: return show(history_.redo());
             case GLFW_KEY_O: return gui_.interface.ask_open(scene_);
             case GLFW_KEY_S: return gui_.interface.ask_save_scene();
+            case GLFW_KEY_F: return gui_.interface.edit_formula(scene_);
             case GLFW_KEY_P: return gui_.interface.ask_save_picture();
             case GLFW_KEY_Q: return glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
             default: return;
@@ -297,6 +298,7 @@ bool Viewer::redraw() {
 }
 
 void Viewer::obey(const Requests& requests) {
+    if (requests.step) history_.commit(scene_);
     if (requests.undo || requests.redo) {
         history_.commit(scene_);
         show(requests.undo ? history_.undo() : history_.redo());

@@ -1,5 +1,7 @@
 #include "ui/fonts.h"
 
+#include "ui/previews.h"
+
 #include <embedded.h>
 
 #include <array>
@@ -18,11 +20,15 @@ constexpr std::array<ImWchar, 15> kLatin{0x20,   0x7E,   0xA0,   0xB1,   0xB4,  
 constexpr std::array<ImWchar, 15> kLatinFew{0x20,   0x7E,   0xB0,   0xB1,   0xB7,   0xB7,   0xBA, 0xBE,
                                             0x2014, 0x2019, 0x2026, 0x2026, 0x2212, 0x2212, 0};
 // From DejaVu Sans: super- and subscripts, Greek, arrows, operators, marks.
-constexpr std::array<ImWchar, 29> kMath{0xB2,   0xB3,   0xB9,   0xB9,   0x3B8,  0x3B8,  0x3BA,  0x3BB,  0x3C3,  0x3C3,
-                                        0x1D40, 0x1D40, 0x207B, 0x207B, 0x2080, 0x2084, 0x2190, 0x2194, 0x2202, 0x2207,
-                                        0x2218, 0x221E, 0x2248, 0x2265, 0x2713, 0x2717, 0x22A5, 0x22A5, 0};
+constexpr std::array<ImWchar, 31> kMath{0xB2,   0xB3,   0xB9,   0xB9,   0x3B8,  0x3B8,  0x3BA,  0x3BB,
+                                        0x3C0,  0x3C0,  0x3C3,  0x3C3,  0x1D40, 0x1D40, 0x207B, 0x207B,
+                                        0x2080, 0x2084, 0x2190, 0x2194, 0x2202, 0x2207, 0x2218, 0x221E,
+                                        0x2248, 0x2265, 0x2713, 0x2717, 0x22A5, 0x22A5, 0};
 constexpr std::array<ImWchar, 17> kMathFew{0xB2,   0xB3,   0xB9,   0xB9,   0x3C3,  0x3C3,  0x1D40, 0x1D40, 0x207B,
                                            0x207B, 0x2080, 0x2083, 0x2207, 0x2207, 0x2260, 0x2260, 0};
+
+// From DejaVu Sans, beside the digits of equations: π, ∂, ∇.
+constexpr std::array<ImWchar, 7> kSigns{0x3C0, 0x3C0, 0x2202, 0x2202, 0x2207, 0x2207, 0};
 
 constexpr std::array<ImWchar, 5> kLetters{'A', 'Z', 'a', 'z', 0};
 constexpr std::array<ImWchar, 11> kDigits{0x20, 0x7E, 0xB0, 0xB0, 0xB7, 0xB7, 0x2014, 0x2014, 0x2212, 0x2212, 0};
@@ -92,7 +98,7 @@ void ExtraLetters::want(std::string_view utf8, const ImFont* font) {
     }
 }
 
-Fonts build_fonts(float scale, ExtraLetters& extra) {
+Fonts build_fonts(float scale, ExtraLetters& extra, Previews* previews) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight | ImFontAtlasFlags_NoMouseCursors;
@@ -115,10 +121,13 @@ Fonts build_fonts(float scale, ExtraLetters& extra) {
     fonts.title = both(kSemibold, 20.0f, kLatinFew.data(), kMathFew.data());
     fonts.letters = baker.add(kSlanted, 20.0f, kLetters.data());
     fonts.upright = baker.add(kRegular, 20.0f, kDigits.data());
+    baker.merge(kSymbols, 20.0f * kSymbolsSize, kSigns.data(), fonts.upright);
     fonts.numbers = baker.add(kRegular, 14.0f, kDigits.data());
     fonts.tiny = baker.add(kRegular, 10.0f, kLetters.data());
     ImGui::GetIO().FontDefault = fonts.body;
+    if (previews) previews->reserve(atlas);
     atlas.Build();
+    if (previews) previews->place(atlas);
     extra.built();
     return fonts;
 }

@@ -7,6 +7,8 @@
 
 namespace normalscope {
 
+class Previews;
+
 struct Fonts {
     ImFont* body = nullptr;     ///< 15 px
     ImFont* small = nullptr;    ///< 13 px: what stands beside, and tables
@@ -35,7 +37,7 @@ private:
     bool pending_ = false;
 };
 
-/// Makes the current context's font atlas anew and bakes it.
-Fonts build_fonts(float scale, ExtraLetters& extra);
+/// Makes the current context's font atlas anew and bakes it, with room for the previews that are wanted.
+Fonts build_fonts(float scale, ExtraLetters& extra, Previews* previews = nullptr);
 
 }  // namespace normalscope

@@ -42,6 +42,7 @@ constexpr Line kRulesKeys[]{
 constexpr Line kWork[]{
     {"R", "reset the transform"},         {"Ctrl Z", "undo"},           {"Ctrl Shift Z", "redo (Ctrl+Y, too)"},
     {"Ctrl O", "open a scene or a mesh"}, {"Ctrl S", "save the scene"}, {"Ctrl P", "save the picture"},
+    {"Ctrl F", "type a formula"},
 };
 
 constexpr float kKeysWidth = 128.0f, kColumnWidth = 376.0f;

@@ -8,6 +8,7 @@
 #include "ui/maps_tab.h"
 #include "ui/messages.h"
 #include "ui/panel.h"
+#include "ui/panel_memory.h"
 #include "ui/side_panel.h"
 #include "ui/stack_tab.h"
 #include "ui/words.h"
@@ -78,6 +79,9 @@ void Interface::State::watch_the_clock() {
     if (now - popups_changed < 0.3) wake = std::min(wake, 1.0 / 30.0);
     if (letters.pending()) wake = 0.0;
     if (stack.player.playing) wake = 0.0;
+    wake = std::min(wake, panel.formula.redraw_after());
+    if (panel.gallery.previews.needs_room()) wake = 0.0;
+    if (panel.gallery.previews.busy()) wake = std::min(wake, 0.1);
 }
 
 std::vector<SideTab> Interface::State::tabs() {
@@ -114,8 +118,9 @@ bool Interface::prepare(Theme theme, float scale) {
         io.IniFilename = io.LogFilename = nullptr;
     }
     if (scaled || theme != look.theme) set_style(look, theme, scale);
-    if (!scaled && !state_->letters.pending()) return false;
-    look.fonts = build_fonts(scale, state_->letters);
+    Previews& previews = state_->panel.gallery.previews;
+    if (!scaled && !state_->letters.pending() && !previews.needs_room()) return previews.update(*ImGui::GetIO().Fonts);
+    look.fonts = build_fonts(scale, state_->letters, &previews);
     state_->derivation.forget_layout();
     return true;
 }
@@ -160,6 +165,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     s.derivation.draw(s.look, scene, frame, derivation_shown(), s.look.px(kTabsHeight));
     s.letters.want(s.messages.text(), s.look.fonts.body);
     s.letters.want(status.file, s.look.fonts.body);
+    s.letters.want(s.panel.formula.draft.text, s.look.fonts.body);
     s.messages.draw(s.look, frame);
     s.watch_the_clock();
     return requests;
@@ -191,6 +197,10 @@ bool Interface::show_tab(std::string_view id) {
 std::span<const std::string_view> Interface::tabs() { return kTabIds; }
 bool Interface::playing() const { return state_->stack.player.playing; }
 
+void Interface::edit_formula(Scene& scene) {
+    if (!std::holds_alternative<FormulaSurface>(scene.surface)) scene.surface = state_->panel.formula.last;
+    state_->panel.formula.focus = state_->panel_shown = true;
+}
 void Interface::toggle_help() { state_->help = !state_->help; }
 void Interface::toggle_panel() { state_->panel_shown = !state_->panel_shown; }
 bool Interface::panel_shown() const { return state_->panel_shown; }

@@ -16,6 +16,7 @@ namespace normalscope {
 /// What the interface asks of the program, beyond edits of the scene.
 struct Requests {
     bool undo = false, redo = false;
+    bool step = false;  ///< what the scene is now is one step to undo, though the editing goes on
     bool full_screen = false, quit = false;
     std::optional<std::string> open;       ///< a scene, a mesh, or a built-in scene's name
     std::optional<std::string> open_mesh;  ///< a mesh as the scene's surface, all else kept
@@ -75,6 +76,8 @@ public:
     /// While the stack is being played the scene changes by itself: what it goes through is nothing to be undone.
     bool playing() const;
 
+    /// The formula's field gets the keyboard; another surface gives way to a formula.
+    void edit_formula(Scene& scene);
     void toggle_help();
     void toggle_panel();
     bool panel_shown() const;

@@ -1,8 +1,10 @@
 #include "ui/panel.h"
 
+#include "ui/panel_memory.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 namespace normalscope {
@@ -20,16 +22,19 @@ void scene_menu(PanelMemory& memory, const PanelContext& context, float width) {
         return;
     }
     if (memory.scenes.empty()) memory.scenes = built_in_scenes();
-    const auto is_bug = [](const BuiltInScene& scene) { return scene.name.starts_with("bug-"); };
-    for (const bool bugs : {false, true}) {
-        if (bugs) {
+    const auto group = [](const BuiltInScene& scene) {
+        return scene.name.starts_with("bug-") ? 2 : scene.name.starts_with(kGalleryPrefix) ? 1 : 0;
+    };
+    constexpr std::array<const char*, 3> kGroups{"", "Surfaces by formula", "Gallery of bugs"};
+    for (int g = 0; g < 3; ++g) {
+        if (g > 0) {
             ImGui::Separator();
             ImGui::PushFont(look.fonts.small);
-            dim_text(look, "Gallery of bugs");
+            dim_text(look, kGroups.at(static_cast<std::size_t>(g)));
             ImGui::PopFont();
         }
         for (const BuiltInScene& scene : memory.scenes) {
-            if (is_bug(scene) != bugs) continue;
+            if (group(scene) != g) continue;
             if (ImGui::Selectable(scene.name.c_str(), scene.name == file)) context.requests.open = scene.name;
             tip(look, scene.about.c_str());
         }
@@ -107,8 +112,11 @@ void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context) 
     if (rest) {
         ImGui::Indent(look.px(16) - right);
         stack_section(look, scene, memory.stack);
-        probe_section(scene, context);
-        surface_section(scene, context);
+        // What is typed comes before what follows from it.
+        const bool formula = std::holds_alternative<FormulaSurface>(scene.surface);
+        if (formula) surface_section(scene, memory, context);
+        probe_section(scene, memory, context);
+        if (!formula) surface_section(scene, memory, context);
         arrows_section(scene, context);
         picture_section(scene, context);
         ImGui::Dummy({0, look.px(8)});

@@ -25,11 +25,7 @@ struct PanelContext {
     bool& help;
 };
 
-/// What the panel remembers from frame to frame.
-struct PanelMemory {
-    std::vector<BuiltInScene> scenes;  ///< read at the first look
-    StackMemory stack;
-};
+struct PanelMemory;
 
 /// Logical pixels.
 inline constexpr float kPanelWidth = 388.0f;
@@ -42,8 +38,8 @@ void toolbar(Scene& scene, PanelMemory& memory, const PanelContext& context);
 void rule_buttons(Scene& scene, const PanelContext& context);
 void mistake_chooser(Scene& scene, const PanelContext& context);
 void view_buttons(Scene& scene, const PanelContext& context);
-void probe_section(Scene& scene, const PanelContext& context);
-void surface_section(Scene& scene, const PanelContext& context);
+void probe_section(Scene& scene, PanelMemory& memory, const PanelContext& context);
+void surface_section(Scene& scene, PanelMemory& memory, const PanelContext& context);
 void arrows_section(Scene& scene, const PanelContext& context);
 void picture_section(Scene& scene, const PanelContext& context);
 

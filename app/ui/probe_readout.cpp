@@ -1,7 +1,9 @@
 #include "ui/panel.h"
 
 #include "core/error.h"
+#include "ui/gradient_readout.h"
 #include "ui/numbers.h"
+#include "ui/panel_memory.h"
 #include "ui/widgets.h"
 
 #include <glm/geometric.hpp>
@@ -180,7 +182,7 @@ void over_the_surface(const Look& look, const Scene& scene, const std::optional<
 
 }  // namespace
 
-void probe_section(Scene& scene, const PanelContext& context) {
+void probe_section(Scene& scene, PanelMemory& memory, const PanelContext& context) {
     const Look& look = context.look;
     const bool open = section(look, "Probe");
     if (scene.probe) {
@@ -200,6 +202,10 @@ void probe_section(Scene& scene, const PanelContext& context) {
     if (!open) return;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px(8), 0));
     if (const auto& probe = context.frame.probe) {
+        if (context.frame.surface && context.frame.surface->implicit) {
+            gradient_readout(look, context.frame, memory.at_probe);
+            ImGui::Dummy({0, look.px(4)});
+        }
         where_and_whither(look, *probe, scene.mistake);
         ImGui::Dummy({0, look.px(4)});
         dots(look, *probe, scene);

@@ -1,0 +1,85 @@
+#include "ui/gallery.h"
+
+#include "core/error.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace normalscope {
+
+namespace {
+
+constexpr int kColumns = 5;
+
+// A button with its picture; true where it is pressed. `named`: the pointer or the keyboard is on it.
+bool tile(const Look& look, const GalleryMemory& memory, std::size_t i, float side, bool chosen, bool& named) {
+    ImGui::PushStyleColor(ImGuiCol_Button, chosen ? look.line : look.field);
+    const bool pressed = ImGui::Button(("##" + memory.scenes[i].name).c_str(), {side, side});
+    ImGui::PopStyleColor();
+    named = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (const auto picture = memory.previews.tile(i))
+        list.AddImage(ImGui::GetIO().Fonts->TexID, low, high, picture->low, picture->high);
+    if (chosen)
+        list.AddRect(low, high, packed(look.accent), ImGui::GetStyle().FrameRounding, 0, std::max(1.0f, look.px(1.5f)));
+    return pressed;
+}
+
+// The surface alone: the transform, the camera and all else stay.
+void take_surface(Scene& scene, const std::string& name) {
+    try {
+        const Scene from = load_scene(name);
+        scene.surface = from.surface;
+        scene.about = from.about;
+        scene.probe.reset();  // it was a point of another surface
+    } catch (const Error&) {  // a built-in scene can be read; a test opens them all
+    }
+}
+
+}  // namespace
+
+void gallery(Scene& scene, GalleryMemory& memory, const PanelContext& context) {
+    if (!memory.open) return;
+    const Look& look = context.look;
+    if (memory.scenes.empty()) {
+        memory.scenes = built_in_scenes();
+        std::erase_if(memory.scenes, [](const BuiltInScene& s) { return !s.name.starts_with(kGalleryPrefix); });
+    }
+    const float gap = look.px(4);
+    const float side = std::floor((ImGui::GetContentRegionAvail().x - (kColumns - 1) * gap) / kColumns);
+    std::vector<std::string> names;
+    for (const BuiltInScene& s : memory.scenes) names.push_back(s.name);
+    memory.previews.want(names, static_cast<int>(side));
+
+    const BuiltInScene* told = nullptr;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
+    for (std::size_t i = 0; i < memory.scenes.size(); ++i) {
+        if (i % kColumns != 0) ImGui::SameLine(0, gap);
+        const BuiltInScene& entry = memory.scenes[i];
+        bool named = false;
+        const bool pressed = tile(look, memory, i, side, entry.name == context.status.file, named);
+        if (named) told = &entry;
+        if (pressed && memory.only_surface) take_surface(scene, entry.name);
+        if (pressed && !memory.only_surface) context.requests.open = entry.name;
+    }
+    ImGui::PopStyleVar();
+
+    // As high whatever it says, so that nothing moves below the pointer.
+    ImGui::PushFont(look.fonts.small);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = 2 * ImGui::GetTextLineHeight() + look.px(2);
+    ImGui::PushTextWrapPos(0);
+    if (told)
+        ImGui::TextUnformatted(told->about.c_str());
+    else
+        dim_text(look, "Each shows something about normals: point at one, or go there with the arrow keys.");
+    ImGui::PopTextWrapPos();
+    ImGui::SetCursorScreenPos({at.x, at.y + height});
+    ImGui::PopFont();
+    ImGui::Checkbox("Keep the transform and the camera", &memory.only_surface);
+    tip(look, "A choice changes the surface alone.");
+}
+
+}  // namespace normalscope

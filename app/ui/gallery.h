@@ -1,0 +1,18 @@
+#pragma once
+
+#include "ui/panel.h"
+#include "ui/previews.h"
+
+namespace normalscope {
+
+/// Surfaces by formula to choose from, each with its picture and the fact that it teaches.
+struct GalleryMemory {
+    Previews previews;
+    std::vector<BuiltInScene> scenes;  ///< read at the first look
+    bool open = false;
+    bool only_surface = false;  ///< a choice changes the surface and nothing else
+};
+
+void gallery(Scene& scene, GalleryMemory& memory, const PanelContext& context);
+
+}  // namespace normalscope
