@@ -12,7 +12,7 @@ namespace normalscope {
 
 namespace {
 
-std::string degrees(double d) { return "$" + latex_number(d, 1e-7, 3) + "^\\circ$"; }
+std::string degrees(double d) { return "$" + latex_number(d, 1e-7, 3) + "{}^\\circ$"; }
 std::string degrees(const std::optional<double>& d) { return d ? degrees(*d) : "--"; }
 
 std::string in_color(std::string_view color, const std::string& text) {
@@ -82,7 +82,7 @@ std::string of_gradient(const Explanation& e) {
            (std::isfinite(glm::length(g.gradient)) ? latex_number(glm::length(g.gradient)) : "\\text{--}") +
            "$.\n\n\\begin{tabular}{llr}\n & normal & off by \\\\ \\hline\n";
     const auto row = [](const std::string& what, const glm::dvec3& v, const std::optional<double>& off) {
-        return what + " & " + vector(v) + " & " + (off ? "$" + latex_number(*off, 0.0, 3) + "^\\circ$" : "--") +
+        return what + " & " + vector(v) + " & " + (off ? "$" + latex_number(*off, 0.0, 3) + "{}^\\circ$" : "--") +
                " \\\\\n";
     };
     out += g.normal ? row("$\\nabla f / |\\nabla f|$", g.normal->xyz, 0.0)

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/formula/parse.h"
 #include "core/scene_json.h"
 
 #include <embedded.h>
@@ -22,6 +23,18 @@ std::string lower_case_ending(const fs::path& file) {
     std::string ending = file.extension().string();
     std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return ending;
+}
+
+// Something like x^2+y^2-1; a name such as "cyl" is read as one, too, but was hardly meant.
+bool is_formula(const std::string& text) {
+    if (text.find_first_of("+*/^=²³") == std::string::npos) return false;
+    try {
+        formulas::Graph graph;
+        (void)formulas::parse(graph, text);
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
 }
 
 // The built-in scenes' names in one line: those of the gallery only where one of them was meant.
@@ -67,6 +80,9 @@ Scene load_scene(const std::string& file_or_name) {
     if (fs::exists(path, ignored))
         throw InputError(file_or_name +
                          ": its ending tells nothing; a scene ends in .json, a mesh in .obj, .ply or .stl");
+    if (is_formula(file_or_name))
+        throw InputError(file_or_name + ": no such file; a formula is given by --set 'surface.formula=" + file_or_name +
+                         "'");
     throw InputError(file_or_name + ": no such file, nor a built-in scene (" + names_like(file_or_name) + ")");
 }
 

@@ -35,6 +35,10 @@ class FormulaTest(CommandTest):
         self.assertEqual(self.explained(*setting("(" * 4999 + "x" + ")" * 4999))["formula"]["f"], "x")
         self.explained(*setting("sin(" * 1200 + "x" + ")" * 1200))
 
+    def test_a_formula_in_place_of_a_file(self):
+        self.assert_fails(3, "explain", "x^2+y^2-1", says="--set 'surface.formula=x^2+y^2-1'")
+        self.assert_fails(3, "explain", "no/such/file", says="slide-scale")
+
     def test_keys(self):
         self.refused({"formula": "a x", "parameters": {"b": 1}}, ("surface.parameters.b", "it has a"))
         self.refused({"formula": "x", "parameters": {"a": 1}}, ("surface.parameters.a", "no parameters"))

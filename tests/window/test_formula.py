@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Typing a formula: the picture follows what can be read, and what is typed in one go is one step to undo."""
 
+import time
 import unittest
 
 from support import LIGHT, WindowTest
@@ -35,6 +36,20 @@ class FormulaTest(WindowTest):
         window.key("ctrl+z")
         self.assertEqual(window.scene(), before)
         self.assertEqual(window.picture(), picture)
+
+    def test_a_pause_makes_a_step(self):
+        window = self.window("implicit-sphere", *SMALL)
+        before = window.scene()
+        self.type_formula(window, "x+y")
+        time.sleep(1.5)
+        window.settle()
+        window.type("+z")
+        window.key("Return")
+        self.assertEqual(window.scene()["surface"]["formula"], "x+y+z")
+        window.key("ctrl+z")
+        self.assertEqual(window.scene()["surface"]["formula"], "x+y")
+        window.key("ctrl+z")
+        self.assertEqual(window.scene(), before)
 
     def test_a_shape_gives_way_to_a_formula(self):
         window = self.window(*LIGHT)
