@@ -31,13 +31,12 @@ std::string unknown_tab(const std::string& tab) {
     return line;
 }
 
-// Words and lines keep their share of the picture, whatever its size; the panel must stay legible in a small one.
-float scale_of(glm::ivec2 size, bool panel) {
+}  // namespace
+
+float usual_scale(glm::ivec2 size, bool panel) {
     const float share = std::min(static_cast<float>(size.x) / 1280.0f, static_cast<float>(size.y) / 720.0f);
     return std::clamp(std::round(10.0f * share) / 10.0f, panel ? 1.0f : 0.5f, 8.0f);
 }
-
-}  // namespace
 
 /// What needs a context, in the order in which it must be made.
 struct Studio::Equipment {
@@ -76,7 +75,7 @@ Capture Studio::capture(const Scene& scene, const CaptureOptions& options) {
     if (!equipment_->renderer) equipment_->renderer.emplace();
     std::optional<Gui>& gui = equipment_->gui;
 
-    const float scale = scale_of(options.size, options.panel);
+    const float scale = options.scale.value_or(usual_scale(options.size, options.panel));
     const std::shared_ptr<const Surface> surface = loading.get();
     PixelRect rect{{0, 0}, options.size};
     // The interface remembers what it showed last, which must not change this picture; words alone are forgotten.

@@ -6,6 +6,7 @@
 #include "platform/context.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace normalscope {
@@ -13,15 +14,19 @@ namespace normalscope {
 struct CaptureOptions {
     glm::ivec2 size{1280, 720};
     int samples = 4;
-    bool panel = false;    ///< the interface too
-    std::string tab;       ///< the tab beside the picture, with the interface; empty: none
-    bool numbers = false;  ///< fill Capture::numbers
+    std::optional<float> scale;  ///< of words and lines; usual_scale where it is not given
+    bool panel = false;          ///< the interface too
+    std::string tab;             ///< the tab beside the picture, with the interface; empty: none
+    bool numbers = false;        ///< fill Capture::numbers
 };
 
 struct Capture {
     Image image;
     std::string numbers;  ///< JSON text (DESIGN section 2)
 };
+
+/// Words and lines keep their share of the picture, whatever its size; the panel must stay legible in a small one.
+float usual_scale(glm::ivec2 size, bool panel);
 
 /// Makes pictures of scenes without a window, one after the other: the context, its shaders and the last surface are
 /// kept, and a picture does not depend on those before it. Each belongs to the thread that made its first picture.

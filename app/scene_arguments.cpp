@@ -17,6 +17,7 @@ Scene scene_for(const std::string& file, const std::vector<std::string>& setting
 CaptureOptions capture_options(const PictureArguments& arguments, bool numbers) {
     return {.size = arguments.size,
             .samples = arguments.samples,
+            .scale = arguments.scale,
             .panel = arguments.panel || !arguments.tab.empty(),
             .tab = arguments.tab,
             .numbers = numbers};

@@ -1,5 +1,6 @@
 #include "viewer.h"
 
+#include "copied_command.h"
 #include "core/axis_handles.h"
 #include "core/error.h"
 #include "core/frame.h"
@@ -63,6 +64,7 @@ private:
     void begin_opening(const std::string& file);
     void finish_opening();
     void save_picture(const std::filesystem::path& file);
+    void copy_command();
     void show(const Scene& scene) { scene_ = scene; }
     void on_key(int key, int modifiers);
     void set_title();
@@ -202,6 +204,7 @@ void Viewer::on_key(int key, int modifiers) {
             case GLFW_KEY_S: return gui_.interface.ask_save_scene();
             case GLFW_KEY_F: return gui_.interface.edit_formula(scene_);
             case GLFW_KEY_P: return gui_.interface.ask_save_picture();
+            case GLFW_KEY_C: return copy_command();
             case GLFW_KEY_Q: return glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
             default: return;
         }
@@ -315,6 +318,7 @@ void Viewer::obey(const Requests& requests) {
             gui_.interface.show_note("Saved " + file_);
         }
         if (requests.save_picture) save_picture(*requests.save_picture);
+        if (requests.copy_command) copy_command();
     } catch (const Error& e) {
         gui_.interface.show_error(e.what());
     }
@@ -347,6 +351,12 @@ void Viewer::finish_opening() {
     } catch (const Error& e) {
         gui_.interface.show_error(e.what());
     }
+}
+
+void Viewer::copy_command() {
+    const glm::ivec2 size = gui_.interface.picture(window_.framebuffer_size()).size;
+    glfwSetClipboardString(window_.handle(), capture_command(scene_, file_, size, window_.content_scale()).c_str());
+    gui_.interface.show_note("Copied the command that draws this picture");
 }
 
 void Viewer::save_picture(const std::filesystem::path& file) {

@@ -62,6 +62,7 @@ int parse_jobs(const std::string& text) { return parse_count("--jobs", text, 256
 void GivenPicture::add_to(CLI::App& app, PictureArguments& arguments) {
     add(app, "--size", size, "WIDTHxHEIGHT", "In pixels");
     add(app, "--samples", samples, "N", "Samples a pixel, against jagged edges: 1, 2 or 4");
+    add(app, "--scale", scale, "FACTOR", "Size of words and lines, 0.5 to 8 [as the picture's size has it]");
     add_context(app, context);
     app.add_flag("--panel", arguments.panel, "Draw the interface too");
     add(app, "--tab", arguments.tab, "NAME",
@@ -72,6 +73,7 @@ void GivenPicture::add_to(CLI::App& app, PictureArguments& arguments) {
 void GivenPicture::read_into(PictureArguments& arguments) const {
     arguments.size = parse_size("--size", size);
     arguments.samples = parse_samples("--samples", samples);
+    if (!scale.empty()) arguments.scale = parse_scale("--scale", scale);
     arguments.context = parse_context("--context", context);
 }
 

@@ -42,7 +42,7 @@ int parse_jobs(const std::string& text);
 
 /// The options of PictureArguments, but for the file.
 struct GivenPicture {
-    std::string size{text_of(PictureArguments{}.size)}, samples{std::to_string(PictureArguments{}.samples)},
+    std::string size{text_of(PictureArguments{}.size)}, samples{std::to_string(PictureArguments{}.samples)}, scale,
         context{"auto"};
 
     void add_to(CLI::App& app, PictureArguments& arguments);

@@ -27,6 +27,7 @@ struct PictureArguments {
     std::string file{kDefaultScene};
     glm::ivec2 size{1280, 720};
     int samples = 4;
+    std::optional<float> scale;  ///< of words and lines; empty: by the size
     ContextChoice context = ContextChoice::Auto;
     bool panel = false;
     std::string tab;  ///< beside the picture, with the panel; empty: none

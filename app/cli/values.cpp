@@ -49,6 +49,14 @@ int parse_samples(const std::string& option, const std::string& text) {
     fail(option, text, "expected 1, 2 or 4");
 }
 
+float parse_scale(const std::string& option, const std::string& text) {
+    float value = 0.0f;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !(value >= 0.5f && value <= 8.0f))
+        fail(option, text, "expected a number from 0.5 to 8, such as 1.5");
+    return value;
+}
+
 ContextChoice parse_context(const std::string& option, const std::string& text) {
     using enum ContextChoice;
     for (const auto& [name, choice] : {std::pair{"auto", Auto}, {"osmesa", Osmesa}, {"egl", Egl}})

@@ -8,6 +8,7 @@ namespace normalscope {
 
 glm::ivec2 parse_size(const std::string& option, const std::string& text);
 int parse_samples(const std::string& option, const std::string& text);
+float parse_scale(const std::string& option, const std::string& text);
 ContextChoice parse_context(const std::string& option, const std::string& text);
 ExplainFormat parse_format(const std::string& option, const std::string& text);
 int parse_tolerance(const std::string& option, const std::string& text);

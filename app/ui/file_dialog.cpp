@@ -207,6 +207,15 @@ void FileDialog::draw(const Look& look, ExtraLetters& letters, Requests& request
     if (ImGui::Checkbox("all files", &all_files_)) enter(folder_.path);
     ImGui::PopStyleVar();
     tip(look, (std::string("Otherwise only ") + purpose.filter).c_str());
+    if (purpose_ == For::SavePicture) {
+        ImGui::SameLine(0, look.px(16));
+        if (ImGui::Button("Copy as command")) {
+            requests.copy_command = true;
+            open_ = false;
+            ImGui::CloseCurrentPopup();
+        }
+        tip(look, "Copies the command line that draws this picture, for scripts and tests (Ctrl+C)");
+    }
     ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * button - gap);
     const bool cancel = ImGui::Button("Cancel", {button, 0});
     ImGui::SameLine(0, gap);

@@ -40,9 +40,10 @@ constexpr Line kRulesKeys[]{
     {"T", "light or dark theme"},
 };
 constexpr Line kWork[]{
-    {"R", "reset the transform"},         {"Ctrl Z", "undo"},           {"Ctrl Shift Z", "redo (Ctrl+Y, too)"},
-    {"Ctrl O", "open a scene or a mesh"}, {"Ctrl S", "save the scene"}, {"Ctrl P", "save the picture"},
-    {"Ctrl F", "type a formula"},
+    {"R", "reset the transform"},           {"Ctrl Z", "undo"},
+    {"Ctrl Shift Z", "redo (Ctrl+Y, too)"}, {"Ctrl O", "open a scene or a mesh"},
+    {"Ctrl S", "save the scene"},           {"Ctrl P", "save the picture"},
+    {"Ctrl F", "type a formula"},           {"Ctrl C", "copy as a command"},
 };
 
 constexpr float kKeysWidth = 128.0f, kColumnWidth = 376.0f;

@@ -18,6 +18,7 @@ struct Requests {
     bool undo = false, redo = false;
     bool step = false;  ///< what the scene is now is one step to undo, though the editing goes on
     bool full_screen = false, quit = false;
+    bool copy_command = false;  ///< the command line that captures what is shown
     std::optional<std::string> open;       ///< a scene, a mesh, or a built-in scene's name
     std::optional<std::string> open_mesh;  ///< a mesh as the scene's surface, all else kept
     std::optional<std::filesystem::path> save_scene;

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/scene_json.h"
+#include "core/scene_settings.h"
 #include "core/vary.h"
 #include "fuzz.h"
 
@@ -26,6 +27,10 @@ void check(std::string_view bytes) {
         const Scene scene = parse_scene(bytes, "scene.json");
         const std::string text = scene_text(scene);
         require(parse_scene(text, "again") == scene, "a scene that is written reads back as another one");
+        Scene made;
+        for (const std::string& setting : settings_between(made, scene)) made = with_setting(made, setting);
+        made.about = scene.about;
+        require(made == scene, "settings make another scene");
     });
     allowed_to_refuse([&] { (void)with_setting(Scene{}, bytes); });
     if (bytes.size() < 200) allowed_to_refuse([&] { (void)parse_variation(bytes, 3); });

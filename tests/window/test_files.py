@@ -3,6 +3,7 @@
 
 import json
 import pathlib
+import shutil
 import subprocess
 import unittest
 
@@ -109,6 +110,20 @@ class FilesTest(WindowTest):
                         "compare saved.png captured.png --tolerance 3 --share 0.001"):
             done = subprocess.run([NORMALSCOPE, *command.split()], cwd=self.folder, check=False, capture_output=True)
             self.assertEqual((done.returncode, done.stderr), (0, b""), done)
+
+    @unittest.skipUnless(shutil.which("xclip"), "xclip is not installed")
+    def test_the_copied_command_draws_the_same(self):
+        window = self.window("shear", *LIGHT)
+        window.key("n", "v", "Tab", "2")
+        window.drag((300, 200), (350, 230))
+        window.key("ctrl+c")
+        command = subprocess.run(["xclip", "-o", "-selection", "clipboard"], capture_output=True, text=True, timeout=60, check=True).stdout
+        self.assertRegex(command, r"\Anormalscope capture shear -o picture.png --size 640x460 --scale 1 ")
+        self.assertIn("--set rule=", command)
+        self.file("saved.png", window.picture())
+        done = subprocess.run(command.replace("normalscope", str(NORMALSCOPE), 1) + " --expect saved.png", shell=True,
+                              cwd=self.folder, check=False, capture_output=True)
+        self.assertEqual((done.returncode, done.stderr), (0, b""), done)
 
 
 if __name__ == "__main__":
