@@ -4,8 +4,12 @@
 #include "platform/gl_debug.h"
 #include "platform/shared_library.h"
 
+// Where a system has no EGL there is nothing to build against either; captures go through OSMesa then.
+#if __has_include(<EGL/egl.h>) && !defined(NORMALSCOPE_WITHOUT_EGL)
+#define NORMALSCOPE_HAS_EGL
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#endif
 #include <glad/gl.h>
 
 #include <array>
@@ -13,6 +17,8 @@
 #include <string>
 
 namespace normalscope {
+
+#ifdef NORMALSCOPE_HAS_EGL
 
 namespace {
 
@@ -93,5 +99,11 @@ private:
 }  // namespace
 
 std::unique_ptr<Context> make_egl_context() { return std::make_unique<Egl>(); }
+
+#else
+
+std::unique_ptr<Context> make_egl_context() { throw ContextError("this program was built on a system without EGL"); }
+
+#endif
 
 }  // namespace normalscope

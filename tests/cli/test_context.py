@@ -6,6 +6,7 @@ import unittest
 from support import SMALL, CommandTest
 
 NO_OSMESA = {"NORMALSCOPE_OSMESA_LIBRARY": "/nonexistent"}
+NO_EGL = {"NORMALSCOPE_EGL_LIBRARY": "/nonexistent"}
 NO_DISPLAY = {"DISPLAY": None, "WAYLAND_DISPLAY": None, "WAYLAND_SOCKET": None}
 
 
@@ -21,8 +22,20 @@ class ContextTest(CommandTest):
     def test_auto_takes_egl_where_there_is_no_osmesa(self):
         self.assertEqual(self.numbers(env=NO_OSMESA)["context"], "egl")
 
+    def test_without_egl(self):
+        self.assertEqual(self.numbers(env=NO_EGL)["context"], "osmesa")
+        self.assert_fails(4, "capture", "-o", self.folder / "out.png", "--context", "egl", *SMALL, env=NO_EGL,
+                          says=("EGL", "--context osmesa"))
+
+    def test_without_both(self):
+        self.assert_fails(4, "capture", "-o", self.folder / "out.png", *SMALL, env={**NO_OSMESA, **NO_EGL},
+                          says=("OSMesa: ", "EGL: ", "install libosmesa6, or libegl1"))
+        self.assert_fails(4, "sweep", "--vary", "camera.azimuth=0:9:4", "-o", f"{self.folder}/", "--jobs", "2", *SMALL,
+                          env={**NO_OSMESA, **NO_EGL}, says="no graphics context")
+
     def test_both_draw_the_same(self):
-        self.assertEqual(self.capture("--context", "osmesa"), self.capture("--context", "egl"))
+        for arguments in ((), ("split", "--panel"), ("error-map", "--samples", "1")):
+            self.assertEqual(self.capture(*arguments, "--context", "osmesa"), self.capture(*arguments, "--context", "egl"))
 
     def test_a_display_is_not_needed(self):
         self.capture(env={**NO_DISPLAY, "HOME": None, "XDG_RUNTIME_DIR": None})
