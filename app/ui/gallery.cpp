@@ -12,12 +12,11 @@ namespace {
 
 constexpr int kColumns = 5;
 
-// A button with its picture; true where it is pressed. `named`: the pointer or the keyboard is on it.
-bool tile(const Look& look, const GalleryMemory& memory, std::size_t i, float side, bool chosen, bool& named) {
+// A button with its picture; true where it is pressed.
+bool tile(const Look& look, const GalleryMemory& memory, std::size_t i, float side, bool chosen) {
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? look.line : look.field);
     const bool pressed = ImGui::Button(("##" + memory.scenes[i].name).c_str(), {side, side});
     ImGui::PopStyleColor();
-    named = ImGui::IsItemHovered() || ImGui::IsItemFocused();
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (const auto picture = memory.previews.tile(i))
@@ -53,31 +52,33 @@ void gallery(Scene& scene, GalleryMemory& memory, const PanelContext& context) {
     for (const BuiltInScene& s : memory.scenes) names.push_back(s.name);
     memory.previews.want(names, static_cast<int>(side));
 
-    const BuiltInScene* told = nullptr;
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
-    for (std::size_t i = 0; i < memory.scenes.size(); ++i) {
-        if (i % kColumns != 0) ImGui::SameLine(0, gap);
-        const BuiltInScene& entry = memory.scenes[i];
-        bool named = false;
-        const bool pressed = tile(look, memory, i, side, entry.name == context.status.file, named);
-        if (named) told = &entry;
-        if (pressed && memory.only_surface) take_surface(scene, entry.name);
-        if (pressed && !memory.only_surface) context.requests.open = entry.name;
-    }
-    ImGui::PopStyleVar();
-
-    // As high whatever it says, so that nothing moves below the pointer.
+    // Above the tiles, where it is seen in a low window, too; as high whatever it says, so that nothing moves below the
+    // pointer.
     ImGui::PushFont(look.fonts.small);
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float height = 2 * ImGui::GetTextLineHeight() + look.px(2);
+    const float height = 2 * ImGui::GetTextLineHeight() + look.px(4);
     ImGui::PushTextWrapPos(0);
-    if (told)
-        ImGui::TextUnformatted(told->about.c_str());
+    if (memory.told)
+        ImGui::TextUnformatted(memory.scenes[*memory.told].about.c_str());
     else
         dim_text(look, "Each shows something about normals: point at one, or go there with the arrow keys.");
     ImGui::PopTextWrapPos();
     ImGui::SetCursorScreenPos({at.x, at.y + height});
     ImGui::PopFont();
+
+    std::optional<std::size_t> hovered, focused;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
+    for (std::size_t i = 0; i < memory.scenes.size(); ++i) {
+        if (i % kColumns != 0) ImGui::SameLine(0, gap);
+        const BuiltInScene& entry = memory.scenes[i];
+        const bool pressed = tile(look, memory, i, side, entry.name == context.status.file);
+        if (ImGui::IsItemHovered()) hovered = i;
+        if (ImGui::IsItemFocused()) focused = i;
+        if (pressed && memory.only_surface) take_surface(scene, entry.name);
+        if (pressed && !memory.only_surface) context.requests.open = entry.name;
+    }
+    ImGui::PopStyleVar();
+    memory.told = hovered ? hovered : focused;
     ImGui::Checkbox("Keep the transform and the camera", &memory.only_surface);
     tip(look, "A choice changes the surface alone.");
 }
