@@ -104,6 +104,7 @@ private:
         PixelRect rect;
         std::optional<int> hot_axis;
         std::optional<Highlight> highlight;
+        bool draft = false;
         friend bool operator==(const Drawn&, const Drawn&) = default;
     };
     std::optional<Drawn> drawn_;
@@ -245,7 +246,8 @@ Frame Viewer::frame_now(bool handles) {
                            .pixel_scale = window_.content_scale(),
                            .hot_axis = pointer_.hot_axis(),
                            .highlight = gui_.interface.highlighted(),
-                           .handles = handles});
+                           .handles = handles,
+                           .draft = handles && (pointer_.busy() || gui_.editing())});
     };
     try {
         return make();
@@ -284,7 +286,8 @@ bool Viewer::redraw() {
         frames_wanted_ = kFramesAfterEvent;
     }
     // While only the interface changes, as in a dialog, the samples still hold the picture.
-    const Drawn now{scene_, frame_->surface, frame_->rect, pointer_.hot_axis(), gui_.interface.highlighted()};
+    const Drawn now{scene_,       frame_->surface, frame_->rect, pointer_.hot_axis(), gui_.interface.highlighted(),
+                    frame_->draft};
     if (drawn_ != now)
         renderer_.draw(*frame_, *target_);
     else

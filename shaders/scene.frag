@@ -11,9 +11,11 @@ uniform mat3 object_from_world;
 uniform float mirrored;        // 1: M reflects
 uniform ivec2 pane_origin;
 uniform sampler2D hits;        // what trace.frag wrote: unit n_object, t
+uniform int coarseness;        // pixels a side of each texel there
 uniform sampler2D edges;       // the same for the first sample, with pixels left out that are no edges
+uniform sampler2D tiles;       // what tiles.frag wrote: the above counts where a tile holds an edge
+uniform int tile_size;         // in texels of `hits`
 uniform float leave_edges;     // 1: not where those are
-uniform float by_error;        // 1: coloured by the naive rule's error
 #else
 in vec3 world_position;
 in vec3 world_normal;
@@ -31,7 +33,7 @@ uniform vec3 inside_color;
 uniform float unit_at_pixels;  // 1: make interpolated normals of unit length again, as one should
 uniform float zero_is_black;   // 1: show a normal of length zero as the NaN that it would become
 uniform float ghost;       // 1: a glassy shell, clearest where one looks straight through
-#if defined(ERROR_MAP) || defined(TRACED)
+#ifdef ERROR_MAP
 uniform mat4 naive_matrix;
 uniform float naive_w;
 uniform mat3 inverse_transpose_matrix;
@@ -45,7 +47,7 @@ out vec4 color;  // times alpha
 vec3 to_light(vec3 c) { return c * c; }
 vec3 to_srgb(vec3 c) { return sqrt(clamp(c, 0.0, 1.0)); }
 
-#if defined(ERROR_MAP) || defined(TRACED)
+#ifdef ERROR_MAP
 vec3 error_color(vec3 object_normal) {
     vec3 naive = (naive_matrix * vec4(object_normal, naive_w)).xyz;
     vec3 correct = inverse_transpose_matrix * object_normal;
@@ -58,9 +60,10 @@ vec3 error_color(vec3 object_normal) {
 
 void main() {
 #ifdef TRACED
-    ivec2 pixel = ivec2(gl_FragCoord.xy) - pane_origin;
+    ivec2 pixel = (ivec2(gl_FragCoord.xy) - pane_origin) / coarseness;
     vec4 hit = texelFetch(hits, pixel, 0);
-    if (hit.w <= 0.0 || (leave_edges > 0.5 && texelFetch(edges, pixel, 0).w >= 0.0)) discard;
+    bool edge = texelFetch(tiles, pixel / tile_size, 0).r > 0.75 && texelFetch(edges, pixel, 0).w >= 0.0;
+    if (hit.w <= 0.0 || (leave_edges > 0.5 && edge)) discard;
     vec3 world_position = eye + hit.w * ray;
     vec4 clip = clip_from_world * vec4(world_position, 1.0);
     gl_FragDepth = 0.5 + 0.5 * clip.z / clip.w;
@@ -70,14 +73,13 @@ void main() {
     vec3 world_normal = unit > 0.0 ? sent.xyz / unit : sent.xyz;
     vec4 base_color = tint;
     bool front_facing = dot(object_normal, object_from_world * ray) < 0.0 != mirrored > 0.5;
-    vec3 base = by_error > 0.5 ? error_color(object_normal) : base_color.rgb;
 #else
     bool front_facing = gl_FrontFacing;
+#endif
 #ifdef ERROR_MAP
     vec3 base = error_color(object_normal);
 #else
     vec3 base = base_color.rgb;
-#endif
 #endif
     float size = length(world_normal);
     if (size == 0.0) {  // no normal, no light: flat colour says so

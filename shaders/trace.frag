@@ -21,7 +21,16 @@ const float LARGEST = 3e37;
 
 void main() {
     hit = vec4(0.0, 0.0, 0.0, -1.0);
-    if (only_edges > 0.5 && !is_edge(centres, ivec2(gl_FragCoord.xy))) return;
+    if (only_edges > 0.5) {
+        ivec2 at = ivec2(gl_FragCoord.xy), last = textureSize(centres, 0) - 1;
+        vec4 here = texelFetch(centres, at, 0);
+        bool edge = false;
+        for (int i = 0; i < 4; ++i) {
+            ivec2 beside = at + ivec2(i == 0 ? 1 : i == 1 ? -1 : 0, i == 2 ? 1 : i == 3 ? -1 : 0);
+            edge = edge || differ(here, texelFetch(centres, clamp(beside, ivec2(0), last), 0));
+        }
+        if (!edge) return;
+    }
     hit.w = 0.0;
 
     // Along the ray from its point nearest to the middle, where floats are finest.

@@ -1,11 +1,12 @@
-// The whole pane, or those of its tiles that hold an edge; each corner carries the ray through it.
+// The whole pane, or those of its tiles that hold something; each corner carries the ray through it.
 layout(location = 0) in vec2 corner;  // in clip space; of a tile: from (0, 0) to (1, 1)
 
 uniform mat4 space_from_clip;  // object space to trace in, world space to light in
 uniform vec3 eye;              // in that space
 uniform vec2 shift;            // from the pixel's centre to one of its samples, in clip space
 uniform vec2 tile;             // a tile's size in clip space; 0: the whole pane
-uniform sampler2D tiles;       // a pixel a tile: 0 where it holds no edge
+uniform sampler2D tiles;       // what tiles.frag wrote
+uniform float least;           // tiles with less are left out
 
 out vec3 ray;  // of no particular length: t along it is the same in both spaces
 
@@ -15,7 +16,7 @@ void main() {
     if (tile.x > 0.0) {
         int columns = textureSize(tiles, 0).x;
         ivec2 place = ivec2(gl_InstanceID % columns, gl_InstanceID / columns);
-        drawn = texelFetch(tiles, place, 0).r > 0.0;
+        drawn = texelFetch(tiles, place, 0).r > least;
         at = min((vec2(place) + corner) * tile - 1.0, 1.0);
     }
     vec4 far = space_from_clip * vec4(at + shift, 1.0, 1.0);

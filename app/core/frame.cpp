@@ -63,7 +63,8 @@ std::vector<Pane> empty_panes(const Scene& scene, const PixelRect& rect) {
     return panes;
 }
 
-void add_surfaces(Pane& pane, const Scene& scene, const Surface& surface, const WorldFromObject& m, bool ghost) {
+void add_surfaces(Pane& pane, const Scene& scene, const Surface& surface, const WorldFromObject& m, bool ghost,
+                  bool draft) {
     const NormalMatrices& matrices = m.normal_matrices_by_rule();
     const ThemeColors colors = theme_colors(scene.theme);
     SurfaceDraw object;
@@ -88,7 +89,7 @@ void add_surfaces(Pane& pane, const Scene& scene, const Surface& surface, const 
     pane.surfaces.push_back(object);
     if (!ghost) return;
     SurfaceDraw shell;
-    if (traced) shell.traced_object_from_world = glm::dmat4(1.0);
+    if (traced && !draft) shell.traced_object_from_world = glm::dmat4(1.0);
     shell.cull = SurfaceDraw::Cull::Inside;
     shell.normals = NormalMap{};
     shell.color = glm::vec4(colors.ghost, 0.55f);
@@ -189,6 +190,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
 
     Frame frame;
     frame.rect = options.rect;
+    frame.draft = options.draft;
     frame.theme = scene.theme;
     frame.surface = std::move(surface);
     frame.toward_light = toward(scene.light);
@@ -210,7 +212,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     if (probe) frame.probe = in_world(*probe, m, scene);
 
     for (Pane& pane : frame.panes) {
-        add_surfaces(pane, scene, *frame.surface, m, ghost);
+        add_surfaces(pane, scene, *frame.surface, m, ghost, options.draft);
         add_arrows(pane, scene, m);
         if (scene.show.axes) add_axes(pane, scene, frame.surface->extent, options);
         if (frame.probe) add_probe_marks(pane, scene, *frame.probe, options);

@@ -109,6 +109,7 @@ struct Frame {
     glm::mat3 shadow_from_ground{0.0f};  ///< (x, z, 1) to a disc that is 1 where the object's shadow ends
     std::vector<LegendEntry> legend;
     bool error_legend = false;
+    bool draft = false;  ///< formulas' surfaces at half the resolution
     std::optional<ProbeInWorld> probe;
 };
 
@@ -118,6 +119,7 @@ struct FrameOptions {
     std::optional<int> hot_axis{};         ///< the axis handle under the pointer
     std::optional<Highlight> highlight{};  ///< what is pointed at in the equations
     bool handles = true;                   ///< knobs on the axes, to be dragged
+    bool draft = false;                    ///< quick rather than fine, while something is being dragged
 };
 
 /// What the scene looks like at a given size. `surface` is the scene's (SurfaceCache). Throws InputError as

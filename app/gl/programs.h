@@ -34,6 +34,7 @@ struct TraceProgram : Program {
     Slot<glm::vec2> shift{*this, "shift"};
     Slot<glm::vec2> tile{*this, "tile"};
     Slot<int> tiles{*this, "tiles"};
+    Slot<float> least{*this, "least"};
     Slot<glm::vec3> box_low{*this, "box_low"};
     Slot<glm::vec3> box_high{*this, "box_high"};
     Slot<float> ball{*this, "ball"};
@@ -45,8 +46,8 @@ struct TraceProgram : Program {
         Slot<float>{*this, "formula_h"}};
 };
 
-struct EdgeTilesProgram : Program {
-    EdgeTilesProgram() : Program("trace.vert", "edge_tiles.frag", {}, file("edges.glsl")) {}
+struct TilesProgram : Program {
+    TilesProgram() : Program("trace.vert", "tiles.frag", {}, file("edges.glsl")) {}
 
     Slot<int> centres{*this, "centres"};
     Slot<int> tile_size{*this, "tile_size"};
@@ -54,8 +55,9 @@ struct EdgeTilesProgram : Program {
 
 /// Everything solid: the mesh, its arrows, and what is made anew every frame.
 struct SceneProgram : Program {
-    explicit SceneProgram(std::string_view define = {}, std::string_view vertex_file = "scene.vert")
-        : Program(vertex_file, "scene.frag", define) {}
+    explicit SceneProgram(std::string_view define = {}, std::string_view vertex_file = "scene.vert",
+                          std::string_view generated = "")
+        : Program(vertex_file, "scene.frag", define, generated) {}
 
     Slot<glm::mat4> clip_from_world{*this, "clip_from_world"};
     Slot<glm::mat4> world_from_object{*this, "world_from_object"};
@@ -78,8 +80,9 @@ struct SceneProgram : Program {
 
 /// The mesh, coloured by the naive rule's error.
 struct ErrorMapProgram : SceneProgram {
-    explicit ErrorMapProgram(std::string_view define = "ERROR_MAP", std::string_view vertex_file = "scene.vert")
-        : SceneProgram(define, vertex_file) {}
+    explicit ErrorMapProgram(std::string_view define = "ERROR_MAP", std::string_view vertex_file = "scene.vert",
+                             std::string_view generated = "")
+        : SceneProgram(define, vertex_file, generated) {}
 
     Slot<glm::mat4> naive_matrix{*this, "naive_matrix"};
     Slot<float> naive_w{*this, "naive_w"};
@@ -87,21 +90,23 @@ struct ErrorMapProgram : SceneProgram {
     Slot<std::span<const glm::vec3>> ramp{*this, "ramp"};
 };
 
-/// What TraceProgram found, in the scene's light or coloured by error.
+/// What TraceProgram found, in the scene's light; or coloured by error, with `define` ERROR_MAP.
 struct TracedProgram : ErrorMapProgram {
-    TracedProgram() : ErrorMapProgram("TRACED", "trace.vert") {}
+    explicit TracedProgram(std::string_view define) : ErrorMapProgram(define, "trace.vert", "#define TRACED\n") {}
 
     Slot<glm::mat4> space_from_clip{*this, "space_from_clip"};
     Slot<glm::vec2> shift{*this, "shift"};
     Slot<glm::vec2> tile{*this, "tile"};
     Slot<int> tiles{*this, "tiles"};
+    Slot<float> least{*this, "least"};
     Slot<glm::ivec2> pane_origin{*this, "pane_origin"};
     Slot<int> hits{*this, "hits"};
+    Slot<int> coarseness{*this, "coarseness"};
     Slot<int> edges{*this, "edges"};
+    Slot<int> tile_size{*this, "tile_size"};
     Slot<float> leave_edges{*this, "leave_edges"};
     Slot<glm::mat3> object_from_world{*this, "object_from_world"};
     Slot<float> mirrored{*this, "mirrored"};
-    Slot<float> by_error{*this, "by_error"};
 };
 
 }  // namespace normalscope

@@ -31,7 +31,7 @@ struct Renderer::Resources {
     BackdropProgram backdrop_program;
     SceneProgram scene_program;
     std::optional<ErrorMapProgram> error_map_program;  // compiled when first wanted
-    std::optional<TracedProgram> traced_program;
+    std::optional<TracedProgram> traced_program, traced_error_program;
     std::optional<Tracer> tracer;
     PaneVertices backdrop;
     SolidVertices solids;
@@ -171,25 +171,34 @@ void Renderer::Resources::draw_surface(const Frame& frame, const Pane& pane, con
 }
 
 void Renderer::Resources::draw_traced(const Frame& frame, const Pane& pane, const SurfaceDraw& draw) {
-    std::vector<glm::vec2> shifts = sample_places();
+    const int coarseness = frame.draft ? 2 : 1;
+    std::vector<glm::vec2> shifts;
+    if (!frame.draft) shifts = sample_places();
     for (glm::vec2& place : shifts) place -= 0.5f;
     if (!tracer) tracer.emplace();
-    if (!traced_program) traced_program.emplace();
-    tracer->trace(*frame.surface->implicit, pane.view, pane.rect.size, *draw.traced_object_from_world, shifts);
+    const bool by_error = draw.by_error && frame.error_maps;
+    std::optional<TracedProgram>& wanted = by_error ? traced_error_program : traced_program;
+    if (!wanted) wanted.emplace(by_error ? "ERROR_MAP" : "");
+    tracer->trace(*frame.surface->implicit, pane.view, (pane.rect.size + coarseness - 1) / coarseness,
+                  *draw.traced_object_from_world, shifts);
 
-    const TracedProgram& program = *traced_program;
+    const TracedProgram& program = *wanted;
     begin(program, frame, pane);
     set_look(program, draw);
-    if (frame.error_maps) set_error_maps(program, frame);
-    program.by_error = draw.by_error && frame.error_maps ? 1.0f : 0.0f;
+    if (by_error) set_error_maps(program, frame);
     program.tint = draw.color;
     program.space_from_clip = glm::mat4(glm::inverse(pane.view.clip_from_world()));
     program.object_from_world = glm::mat3(*draw.traced_object_from_world);
     program.mirrored = draw.mirrored ? 1.0f : 0.0f;
-    std::array<GLint, 4> viewport{};
+    std::array<GLint, 4> viewport{}, scissor{};
     glGetIntegerv(GL_VIEWPORT, viewport.data());
+    glGetIntegerv(GL_SCISSOR_BOX, scissor.data());
     program.pane_origin = glm::ivec2(viewport[0], viewport[1]);
+    const PixelRect& box = tracer->box();
+    glScissor(viewport[0] + coarseness * box.origin.x, viewport[1] + coarseness * box.origin.y, coarseness * box.size.x,
+              coarseness * box.size.y);
     program.hits = 0;
+    program.coarseness = coarseness;
     program.edges = 1;
     program.tiles = 2;
     const auto bind = [](GLenum unit, GLuint texture) {
@@ -201,13 +210,14 @@ void Renderer::Resources::draw_traced(const Frame& frame, const Pane& pane, cons
     bind(GL_TEXTURE0, tracer->centres().id());
     program.leave_edges = shifts.empty() ? 0.0f : 1.0f;
     program.shift = glm::vec2(0.0f);
-    program.tile = glm::vec2(0.0f);
-    backdrop.draw();
-    if (shifts.empty()) return;
+    program.tile_size = Tracer::kTile;
+    program.tile = tracer->tile();
+    program.least = Tracer::kEmpty;
+    tracer->draw_tiles();
 
     program.leave_edges = 0.0f;
-    program.tile = tracer->tile();
-    glEnable(GL_SAMPLE_MASK);
+    program.least = Tracer::kNoEdge;
+    if (!shifts.empty()) glEnable(GL_SAMPLE_MASK);
     for (std::size_t k = 0; k < shifts.size(); ++k) {
         bind(GL_TEXTURE0, tracer->samples(k).id());
         glSampleMaski(0, 1u << k);
@@ -216,6 +226,7 @@ void Renderer::Resources::draw_traced(const Frame& frame, const Pane& pane, cons
     }
     glSampleMaski(0, ~0u);
     glDisable(GL_SAMPLE_MASK);
+    glScissor(scissor[0], scissor[1], scissor[2], scissor[3]);
 }
 
 void Renderer::Resources::draw_arrows(const Frame& frame, const Pane& pane) {

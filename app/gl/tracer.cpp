@@ -1,7 +1,6 @@
 #include "gl/tracer.h"
 
 #include "core/formula/ray_samples.h"
-#include "core/frame.h"
 
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
@@ -14,7 +13,6 @@ namespace {
 
 constexpr int kMostExactDegree = 10;  // beyond, floats no longer tell the coefficients apart
 constexpr int kOtherwise = 6;
-constexpr int kTile = 16;  // pixels
 
 std::string generated(const ImplicitSurface& surface) {
     const bool exact = surface.degree() && *surface.degree() <= kMostExactDegree;
@@ -73,16 +71,21 @@ void Tracer::hold(glm::ivec2 size, std::size_t layers) {
     while (layers_.size() < layers) layers_.emplace_back(size, GL_RGBA32F);
 }
 
-void Tracer::find_edges() {
-    if (!edge_program_) edge_program_.emplace();
+void Tracer::fill_tiles() {
+    if (!tiles_program_) tiles_program_.emplace();
     glBindFramebuffer(GL_FRAMEBUFFER, tiles_->framebuffer.id());
-    glDisable(GL_SCISSOR_TEST);
     glViewport(0, 0, tile_counts_.x, tile_counts_.y);
-    edge_program_->use();
-    edge_program_->centres = 0;
-    edge_program_->tile_size = kTile;
-    everywhere_.draw();
+    const auto set = [](GLfloat value) { glClearBufferfv(GL_COLOR, 0, std::array{value, value, value, value}.data()); };
+    glDisable(GL_SCISSOR_TEST);
+    set(0.0f);
     glEnable(GL_SCISSOR_TEST);
+    const glm::ivec2 first = box_.origin / kTile, end = (box_.origin + box_.size + kTile - 1) / kTile;
+    glScissor(first.x, first.y, end.x - first.x, end.y - first.y);
+    tiles_program_->use();
+    tiles_program_->centres = 0;
+    tiles_program_->tile_size = kTile;
+    everywhere_.draw();
+    glScissor(box_.origin.x, box_.origin.y, box_.size.x, box_.size.y);
 }
 
 void Tracer::trace(const ImplicitSurface& surface, const CameraView& view, glm::ivec2 size,
@@ -99,8 +102,8 @@ void Tracer::trace(const ImplicitSurface& surface, const CameraView& view, glm::
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
     glViewport(0, 0, size.x, size.y);
-    const PixelRect box = box_in_picture(*surface.region(), view, size, object_from_world);
-    glScissor(box.origin.x, box.origin.y, box.size.x, box.size.y);
+    box_ = box_in_picture(*surface.region(), view, size, object_from_world);
+    glScissor(box_.origin.x, box_.origin.y, box_.size.x, box_.size.y);
     program_->use();
     program_->space_from_clip = glm::mat4(object_from_world * glm::inverse(view.clip_from_world()));
     const glm::dvec4 eye = object_from_world * glm::dvec4(view.eye().xyz, 1.0);
@@ -119,30 +122,20 @@ void Tracer::trace(const ImplicitSurface& surface, const CameraView& view, glm::
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, layers_.back().texture.id());
     glBindFramebuffer(GL_FRAMEBUFFER, layers_[0].framebuffer.id());
-    constexpr std::array kMiss{0.0f, 0.0f, 0.0f, 0.0f}, kLeftOut{0.0f, 0.0f, 0.0f, -1.0f};
-    glDisable(GL_SCISSOR_TEST);
-    glClearBufferfv(GL_COLOR, 0, kMiss.data());
-    glEnable(GL_SCISSOR_TEST);
     program_->only_edges = 0.0f;
     program_->shift = glm::vec2(0.0f);
     program_->tile = glm::vec2(0.0f);
     everywhere_.draw();
 
     glBindTexture(GL_TEXTURE_2D, layers_[0].texture.id());
-    if (!shifts.empty()) {
-        find_edges();
-        glViewport(0, 0, size.x, size.y);
-        program_->use();
-        program_->only_edges = 1.0f;
-        program_->tile = tile();
-    }
+    fill_tiles();
+    glViewport(0, 0, size.x, size.y);
+    program_->use();
+    program_->only_edges = 1.0f;
+    program_->tile = tile();
+    program_->least = kNoEdge;
     for (std::size_t k = 0; k < shifts.size(); ++k) {
         glBindFramebuffer(GL_FRAMEBUFFER, layers_[1 + k].framebuffer.id());
-        if (k == 0) {
-            glDisable(GL_SCISSOR_TEST);
-            glClearBufferfv(GL_COLOR, 0, kLeftOut.data());
-            glEnable(GL_SCISSOR_TEST);
-        }
         program_->shift = 2.0f * shifts[k] / glm::vec2(size);
         draw_tiles();
     }

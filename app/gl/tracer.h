@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/camera.h"
+#include "core/frame.h"
 #include "core/implicit_surface.h"
 #include "gl/objects.h"
 #include "gl/programs.h"
@@ -28,7 +29,13 @@ public:
     const GlTexture& centres() const { return layers_[0].texture; }
     const GlTexture& samples(std::size_t k) const { return layers_[1 + k].texture; }
 
-    /// Which tiles those are, how large they are in clip space, and a square for each.
+    /// Where in the picture the surface may be seen, in GL's pixels.
+    const PixelRect& box() const { return box_; }
+
+    /// What each tile holds: 0 nothing, ½ some of the surface, 1 an edge. How large they are in clip space, and a square
+    /// for each.
+    static constexpr int kTile = 16;  // pixels
+    static constexpr float kEmpty = 0.25f, kNoEdge = 0.75f;
     const GlTexture& tiles() const { return tiles_->texture; }
     glm::vec2 tile() const;
     void draw_tiles() const { squares_.draw(tile_counts_.x * tile_counts_.y); }
@@ -42,12 +49,13 @@ private:
 
     void hold(const ImplicitSurface& surface);
     void hold(glm::ivec2 size, std::size_t layers);
-    void find_edges();
+    void fill_tiles();
 
     std::string source_;  // that the program is made of
     std::optional<TraceProgram> program_;
-    std::optional<EdgeTilesProgram> edge_program_;
+    std::optional<TilesProgram> tiles_program_;
     glm::ivec2 size_{0}, tile_counts_{0};
+    PixelRect box_;
     std::vector<Layer> layers_;
     std::optional<Layer> tiles_;
     PaneVertices everywhere_;
