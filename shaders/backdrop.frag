@@ -3,9 +3,9 @@
 // processor, but the ground is worked out once for all samples. glBlitFramebuffer would take the mean as well, but Mesa
 // compiles its own shader for that anew in every process. GLSL ES 3.00 has no multisample textures: a web build has to
 // draw the backdrop first, with no samples, and to blit.
-uniform mat3 ray_from_pixel;  // from (gl_FragCoord.xy, 1)
-uniform vec3 lowest_color;    // of the gradient, at gl_FragCoord.y = 0,
-uniform vec3 color_per_row;   // and what each row of pixels adds to it
+in vec3 ray;
+in vec3 sky;
+
 uniform vec3 grid_color;
 uniform vec3 eye;
 uniform float ground;       // height of the grid
@@ -21,8 +21,6 @@ out vec4 color;
 const float HALF_WIDTH = 0.009;
 
 vec3 backdrop() {
-    vec3 ray = ray_from_pixel * vec3(gl_FragCoord.xy, 1.0);
-    vec3 sky = lowest_color + gl_FragCoord.y * color_per_row;
     float t = (ground - eye.y) / ray.y;
     vec2 at = eye.xz + t * ray.xz;
     // How much of the pixel a line at each whole number covers; a line thinner than a pixel grows fainter instead.

@@ -1,4 +1,17 @@
-// One triangle over the whole pane. What the fragments need of it is linear in their place, so nothing is handed on.
+// One triangle over the whole pane; each corner carries the ray through it.
 layout(location = 0) in vec2 corner;  // in clip space
 
-void main() { gl_Position = vec4(corner, 1.0, 1.0); }
+uniform mat4 world_from_clip;
+uniform vec3 eye;
+uniform vec3 top_color;
+uniform vec3 bottom_color;
+
+out vec3 ray;
+out vec3 sky;
+
+void main() {
+    vec4 far = world_from_clip * vec4(corner, 1.0, 1.0);
+    ray = far.xyz / far.w - eye;
+    sky = mix(bottom_color, top_color, 0.5 * corner.y + 0.5);
+    gl_Position = vec4(corner, 1.0, 1.0);
+}

@@ -12,10 +12,10 @@ namespace normalscope {
 struct BackdropProgram : Program {
     BackdropProgram() : Program("backdrop.vert", "backdrop.frag") {}
 
-    Slot<glm::mat3> ray_from_pixel{*this, "ray_from_pixel"};
+    Slot<glm::mat4> world_from_clip{*this, "world_from_clip"};
     Slot<glm::vec3> eye{*this, "eye"};
-    Slot<glm::vec3> lowest_color{*this, "lowest_color"};
-    Slot<glm::vec3> color_per_row{*this, "color_per_row"};
+    Slot<glm::vec3> top_color{*this, "top_color"};
+    Slot<glm::vec3> bottom_color{*this, "bottom_color"};
     Slot<glm::vec3> grid_color{*this, "grid_color"};
     Slot<float> ground{*this, "ground"};
     Slot<float> grid_amount{*this, "grid_amount"};

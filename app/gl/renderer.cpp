@@ -70,18 +70,6 @@ PixelRect upright(PixelRect rect, const Target& target) {
     return rect;
 }
 
-// The direction of the ray from the eye through a pixel of the pane, of no particular length: M (x, y, 1).
-glm::dmat3 ray_from_pixel(const CameraView& view, const PixelRect& rect) {
-    const glm::dmat4 world_from_clip = glm::inverse(view.clip_from_world());
-    const auto ray = [&](double x, double y) {
-        const glm::dvec2 clip = 2.0 * (glm::dvec2(x, y) - glm::dvec2(rect.origin)) / glm::dvec2(rect.size) - 1.0;
-        const glm::dvec4 far = world_from_clip * glm::dvec4(clip, 1.0, 1.0);
-        return glm::dvec3(far) / far.w - view.eye().xyz;
-    };
-    const glm::dvec3 first = ray(0.0, 0.0);
-    return {ray(1.0, 0.0) - first, ray(0.0, 1.0) - first, first};
-}
-
 void look_at(const PixelRect& rect) {
     glViewport(rect.origin.x, rect.origin.y, rect.size.x, rect.size.y);
     glScissor(rect.origin.x, rect.origin.y, rect.size.x, rect.size.y);
@@ -131,12 +119,10 @@ void Renderer::Resources::draw_backdrop(const Frame& frame, const Pane& pane, co
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, target.sample_colors());
     backdrop_program.use();
-    const PixelRect rect = upright(pane.rect, target);
-    backdrop_program.ray_from_pixel = ray_from_pixel(pane.view, rect);
+    backdrop_program.world_from_clip = glm::mat4(glm::inverse(pane.view.clip_from_world()));
     backdrop_program.eye = pane.view.eye().xyz;
-    const glm::vec3 per_row = (colors.background_top - colors.background_bottom) / static_cast<float>(rect.size.y);
-    backdrop_program.lowest_color = colors.background_bottom - static_cast<float>(rect.origin.y) * per_row;
-    backdrop_program.color_per_row = per_row;
+    backdrop_program.top_color = colors.background_top;
+    backdrop_program.bottom_color = colors.background_bottom;
     backdrop_program.grid_color = colors.grid;
     backdrop_program.ground = frame.ground_height.value_or(0.0f);
     backdrop_program.grid_amount = frame.ground_height ? 1.0f : 0.0f;
