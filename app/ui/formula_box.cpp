@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -23,6 +24,8 @@ struct Level {
     Kind opened = Kind::Open;
     int script = 0;              // how deep in exponents
     std::vector<MathBox> parts;  // a fraction's numerator; the rows of cases
+    std::vector<Chunk> above{};  // a fraction's numerator, where it is too wide for one
+    bool compound = false, compound_below = false;
     std::vector<Chunk> row{{}};
     float last_ascent = 0.0f;  // of what an exponent would stand at
 
@@ -36,12 +39,13 @@ struct Level {
 // Works on a stack of its own, as whoever writes the pieces does.
 class Setter {
 public:
-    explicit Setter(const MathStyle& style) : style_(style) { levels_.emplace_back(); }
+    Setter(const MathStyle& style, float width) : style_(style), width_(width) { levels_.emplace_back(); }
 
     std::vector<Chunk> run(std::span<const formulas::Piece> pieces) {
         for (const formulas::Piece& p : pieces) {
             if (p.kind == Kind::Truncated) break;
             put(p);
+            last_ = p.kind;
         }
         whole = pieces.empty() || pieces.back().kind != Kind::Truncated;
         while (levels_.size() > 1) close();
@@ -69,9 +73,9 @@ private:
     }
     void append(const std::string& text, bool italic, float gap = 0.0f) { append(glyphs(text, italic), gap); }
     void next_chunk(bool term, float gap) { level().row.push_back({{}, term, gap}); }
-    void open(Kind kind) {
+    void open(Kind kind, bool compound = false) {
         const int script = level().script + (kind == Kind::SuperscriptBegin ? 1 : 0);
-        levels_.push_back({kind, script});
+        levels_.push_back({.opened = kind, .script = script, .parts = {}, .compound = compound});
     }
 
     void put(const formulas::Piece& p) {
@@ -99,6 +103,8 @@ private:
             case Kind::CasesWhere:
             case Kind::CasesElse:
                 level().parts.push_back(level().joined());
+                level().above = std::move(level().row);
+                level().compound_below = p.compound;
                 level().row.assign(1, {});
                 return;
             case Kind::Close:
@@ -109,9 +115,11 @@ private:
             case Kind::CasesEnd: return close();
             case Kind::Truncated: return;
             default:
-                // A factor in brackets is worth a break before it.
-                if (p.kind == Kind::Open && !level().row.back().box.texts.empty()) next_chunk(false, share(0.03f));
-                open(p.kind);
+                // Before a factor in brackets there may be a break, but not after a mere number.
+                if (p.kind == Kind::Open && last_ != Kind::Number && last_ != Kind::Negative &&
+                    last_ != Kind::Function && !level().row.back().box.texts.empty())
+                    next_chunk(false, share(0.03f));
+                open(p.kind, p.compound);
         }
     }
 
@@ -136,11 +144,26 @@ private:
             case Kind::Open: return append(parenthesised(style_, inside, Ink::Plain));
             case Kind::AbsBegin: return append(between_bars(inside));
             case Kind::FractionBegin:
+                if (levels_.size() == 1 && !done.parts.empty() && done.parts[0].width > width_)
+                    return append_in_line(std::move(done), inside);
                 return append(done.parts.empty() ? inside : fraction(done.parts[0], inside), share(0.06f));
             case Kind::RootBegin: return append(root(inside), share(0.06f));
             case Kind::CasesBegin: done.parts.push_back(std::move(inside)); return append(cases(done.parts));
             default: return raise(inside);
         }
+    }
+
+    // A fraction that is wider than a line: a b c/(d + e), which can be broken.
+    void append_in_line(Level fraction, const MathBox& below) {
+        if (fraction.compound) {
+            append(parenthesised(style_, fraction.parts[0], Ink::Plain));
+        } else {
+            level().row.back().box.append(fraction.above.front().box);
+            level().row.insert(level().row.end(), std::make_move_iterator(fraction.above.begin() + 1),
+                               std::make_move_iterator(fraction.above.end()));
+        }
+        append("/", false, share(0.06f));
+        append(fraction.compound_below ? parenthesised(style_, below, Ink::Plain) : below, share(0.03f));
     }
 
     void raise(const MathBox& exponent) {
@@ -215,9 +238,15 @@ private:
         return box;
     }
 
-    MathBox::Stroke line(ImVec2 a, ImVec2 b) const { return {{a, a, b, b}, false, style_.weight, Ink::Plain}; }
+    // By way of two points between: where points fall together Dear ImGui draws a line twice as wide.
+    MathBox::Stroke line(ImVec2 a, ImVec2 b) const {
+        const auto between = [&](float t) { return ImVec2(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)); };
+        return {{a, between(1.0f / 3.0f), between(2.0f / 3.0f), b}, false, style_.weight, Ink::Plain};
+    }
 
     const MathStyle& style_;
+    float width_;
+    Kind last_ = Kind::Open;  // of the pieces so far
     std::vector<Level> levels_;
 };
 
@@ -225,19 +254,20 @@ private:
 
 FormulaBox formula_box(const MathStyle& style, std::span<const formulas::Piece> pieces, float width,
                        std::size_t most_lines) {
-    Setter setter(style);
+    Setter setter(style, 0.9f * width);
     const std::vector<Chunk> chunks = setter.run(pieces);
     FormulaBox result;
     result.whole = setter.whole;
     MathBox line;
-    float y = 0.0f, last_descent = 0.0f;
+    float y = 0.0f, last_descent = 0.0f, last_end = 0.0f;
     bool first_line = true;
     const float indent = std::round(0.6f * style.em);
     const auto end_line = [&] {
         if (!first_line) y += std::round(last_descent + line.ascent + 0.25f * style.em);
         last_descent = line.descent;
+        last_end = line.width + (first_line ? 0.0f : indent);
         result.box.add(line, first_line ? 0.0f : indent, y);
-        if (line.width + (first_line ? 0.0f : indent) > width) result.whole = false;
+        if (last_end > width) result.whole = false;
         first_line = false;
         line = {};
     };
@@ -256,14 +286,14 @@ FormulaBox formula_box(const MathStyle& style, std::span<const formulas::Piece> 
                 --result.lines;
                 result.whole = false;
                 MathBox dots = written(style, style.script, "…", Ink::Dim);
-                result.box.add(dots, result.box.width + indent / 2, y);
+                result.box.add(dots, std::min(last_end + indent / 2, width - dots.width), y);
                 return result;
             }
         }
         for (; i < end; ++i) line.append(chunks[i].box, line.width > 0.0f ? chunks[i].gap : 0.0f);
     }
     end_line();
-    if (!setter.whole) result.box.append(written(style, style.script, " …", Ink::Dim));
+    if (!setter.whole) result.box.add(written(style, style.script, " …", Ink::Dim), last_end, y);
     return result;
 }
 

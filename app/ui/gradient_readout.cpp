@@ -83,9 +83,10 @@ void gradient_readout(const Look& look, const Frame& frame, std::optional<Writte
         ImGui::PushStyleColor(ImGuiCol_Text, look.bad);
         text_right("no normal here", c.right[2]);
         ImGui::PopStyleColor();
-        tip(look,
-            "∇f is zero, or does not exist: its direction says nothing. What the panel says of n is borrowed from a "
-            "neighbour on the surface.");
+        tip(look, frame.probe->object.borrowed_from
+                      ? "∇f is zero, or does not exist: its direction says nothing. What the panel says of n is "
+                        "borrowed from a neighbour on the surface."
+                      : "∇f is zero, or does not exist: its direction says nothing.");
     }
     const std::string step = "h = " + number_text(report.step);
     const std::string differences =

@@ -12,7 +12,7 @@ namespace normalscope {
 namespace {
 
 constexpr std::size_t kMostPieces = 1500;  // of an expression; more would not fit its lines
-constexpr std::size_t kMostLines = 4;
+constexpr std::size_t kMostLines = 6;
 constexpr std::size_t kLongestTip = 1500;
 
 // A text's first bytes, no letter of it cut in two.

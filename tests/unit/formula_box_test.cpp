@@ -70,6 +70,14 @@ TEST_F(FormulaBoxTest, BreaksBeforeTermsAndLosesNothing) {
     EXPECT_EQ(cut.lines, 2u);
 }
 
+TEST_F(FormulaBoxTest, BreaksFractionsThatAreWiderThanALine) {
+    const std::string text = "x + (x+2)(y+3)(z+4)(x+y+5)(y+z+6)(z+x+7)/(x+1)";
+    const FormulaBox one = set(text), broken = set(text, 220.0f);
+    EXPECT_TRUE(broken.whole);
+    EXPECT_LE(broken.box.width, 220.0f);
+    EXPECT_EQ(signs(one).size() + 1, signs(broken).size());  // the stroke has become a slash
+}
+
 TEST_F(FormulaBoxTest, TakesWhateverCanBeRead) {
     std::string deep = "x", tower = "x";
     for (int i = 0; i < 400; ++i) deep = "sin(" + deep + ")";
