@@ -191,6 +191,8 @@ TEST_F(InterfaceTest, KeepsTheSceneValid) {
     int changes = 0;
     for (int i = 0; i < 1000; ++i) {
         if (i % 40 == 0) interface_.show_tab(Interface::tabs()[random() % Interface::tabs().size()]);
+        if (i % 100 == 0) scene_.surface = ShapeSurface{.shape = Shape::Sphere, .resolution = 8};
+        if (i % 100 == 60) scene_.surface = FormulaSurface{.formula = "a x^2 + y^2 + b z^2 = 1"};
         const Scene before = scene_;
         move();
         for (int clicks = 1 + below(2); clicks > 0; --clicks) {
@@ -199,7 +201,7 @@ TEST_F(InterfaceTest, KeepsTheSceneValid) {
             button(false);
         }
         if (below(2) == 0) {
-            io.AddInputCharactersUTF8(std::array{"-1e999", "nan", "0", "1e9", "7"}[random() % 5]);
+            io.AddInputCharactersUTF8(std::array{"-1e999", "nan", "0", "1e9", "7", " + y^"}[random() % 6]);
             step();
             press(ImGuiKey_Enter);
         }
