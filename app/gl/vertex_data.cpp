@@ -4,6 +4,7 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/type_precision.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -48,11 +49,21 @@ void fill_scene_vertices(const GlVertexArray& array, const GlBuffer& vertices, s
 
 constexpr std::array<SiteVertex, 1> kNoSites{};  // for what is no arrow
 
+// The first instance's site is this one of the bound buffer.
+void point_at_sites(std::size_t first) {
+    const std::size_t offset = first * sizeof(SiteVertex);
+    attribute(kSitePoint, 3, GL_FLOAT, sizeof(SiteVertex), offset + offsetof(SiteVertex, point), 1);
+    attribute(kSiteNormal, 3, GL_FLOAT, sizeof(SiteVertex), offset + offsetof(SiteVertex, normal), 1);
+}
+
 void fill_sites(const GlBuffer& sites, std::span<const SiteVertex> data) {
     bind_and_fill(sites, GL_ARRAY_BUFFER, data.size_bytes(), data.data());
-    attribute(kSitePoint, 3, GL_FLOAT, sizeof(SiteVertex), offsetof(SiteVertex, point), 1);
-    attribute(kSiteNormal, 3, GL_FLOAT, sizeof(SiteVertex), offsetof(SiteVertex, normal), 1);
+    point_at_sites(0);
 }
+
+// So many arrows leave each a few pixels: a shaft and a head of three triangles in all, turned to the eye.
+constexpr std::size_t kFlatFrom = 20'000;
+constexpr int kFlat = 4;
 
 // The fewer arrows, the rounder each: their triangles are what a frame costs on a processor. scene.vert turns the shaft's
 // one half to the eye.
@@ -77,6 +88,11 @@ std::vector<Vertex> arrow_shape(int head_sides) {
         corners.insert(corners.end(), {a, b, c, a, c, d});
     }
     constexpr float kWide = ArrowProportions::kHeadRadius;
+    if (head_sides == kFlat) {  // of the same three corners as its outline, seen from the side
+        corners.insert(corners.end(), {on_head(0, kWide, 1.0f, 1.0f, kSlant), on_head(half, kWide, 1.0f, 1.0f, kSlant),
+                                       corner(1.0f, 0.0f, 2.0f, 1.0f, kSlant)});
+        return corners;
+    }
     for (int i = 0; i < head_sides; ++i)
         corners.insert(corners.end(), {on_head(i, kWide, 1.0f, 1.0f, kSlant), on_head(i + 1, kWide, 1.0f, 1.0f, kSlant),
                                        corner(static_cast<float>(i) + 0.5f, 0.0f, 2.0f, 1.0f, kSlant)});
@@ -126,7 +142,7 @@ void MeshVertices::draw() const {
 }
 
 ArrowVertices::ArrowVertices(std::span<const Site> sites) : site_count_(static_cast<GLsizei>(sites.size())) {
-    const std::vector<Vertex> shape = arrow_shape(sites.size() > 400 ? 6 : 8);
+    const std::vector<Vertex> shape = arrow_shape(sites.size() >= kFlatFrom ? kFlat : sites.size() > 400 ? 6 : 8);
     shape_count_ = static_cast<GLsizei>(shape.size());
     std::vector<SiteVertex> instances(sites.size());
     for (std::size_t i = 0; i < instances.size(); ++i) instances[i] = {sites[i].point.xyz, sites[i].normal.xyz};
@@ -136,8 +152,16 @@ ArrowVertices::ArrowVertices(std::span<const Site> sites) : site_count_(static_c
 
 void ArrowVertices::draw() const {
     if (site_count_ == 0) return;
+    // A software driver holds all vertices of a draw at once, after the shader: 2 GB for a million arrows.
+    // What it then bins of several draws adds up as well, where it draws slower than it bins.
+    constexpr GLsizei kBatch = 8192, kAhead = 8 * kBatch;
     glBindVertexArray(array_.id());
-    glDrawArraysInstanced(GL_TRIANGLES, 0, shape_count_, site_count_);
+    glBindBuffer(GL_ARRAY_BUFFER, sites_.id());
+    for (GLsizei first = 0; first < site_count_; first += kBatch) {
+        if (site_count_ > kBatch) point_at_sites(static_cast<std::size_t>(first));
+        if (first > 0 && first % kAhead == 0) glFinish();
+        glDrawArraysInstanced(GL_TRIANGLES, 0, shape_count_, std::min(kBatch, site_count_ - first));
+    }
 }
 
 SolidVertices::SolidVertices() {
