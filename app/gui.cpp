@@ -48,6 +48,9 @@ void Gui::paint(Image& image) const { normalscope::paint(*ImGui::GetDrawData(), 
 bool Gui::wants_mouse() const { return ImGui::GetIO().WantCaptureMouse; }
 bool Gui::wants_keyboard() const { return ImGui::GetIO().WantTextInput; }
 bool Gui::editing() const { return ImGui::IsAnyItemActive() || interface.playing(); }
+bool Gui::moving() const {
+    return interface.playing() || (ImGui::IsAnyItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left));
+}
 bool Gui::has_more_input() const { return !ImGui::GetCurrentContext()->InputEventsQueue.empty(); }
 
 }  // namespace normalscope

@@ -33,6 +33,8 @@ public:
     bool wants_keyboard() const;
     /// While a slider or a handle is held, or the stack is played, a change is not finished.
     bool editing() const;
+    /// The scene is changing from frame to frame: a slider is held, or the stack is being played.
+    bool moving() const;
     /// Of input that comes at once, each round takes only what cannot be confused: there is more to be laid out.
     bool has_more_input() const;
 

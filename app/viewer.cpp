@@ -86,7 +86,7 @@ private:
     } current_{window_};
     Renderer renderer_;
     Gui gui_{Gui::Brush::Gl, window_.handle()};
-    std::optional<Target> target_;
+    std::optional<Target> target_, rough_target_;  // the latter while a formula's surface moves
     std::unique_ptr<SurfaceCache> surfaces_ = std::make_unique<SurfaceCache>();
 
     Scene scene_;
@@ -247,7 +247,7 @@ Frame Viewer::frame_now(bool handles) {
                            .hot_axis = pointer_.hot_axis(),
                            .highlight = gui_.interface.highlighted(),
                            .handles = handles,
-                           .draft = handles && (pointer_.busy() || gui_.editing())});
+                           .draft = handles && (pointer_.busy() || gui_.moving())});
     };
     try {
         return make();
@@ -264,6 +264,7 @@ bool Viewer::redraw() {
     if (!target_ || target_->size() != size) {
         target_.reset();
         target_.emplace(size, kSamples);
+        rough_target_.reset();
         drawn_.reset();
     }
     frame_ = frame_now(true);
@@ -288,13 +289,16 @@ bool Viewer::redraw() {
     // While only the interface changes, as in a dialog, the samples still hold the picture.
     const Drawn now{scene_,       frame_->surface, frame_->rect, pointer_.hot_axis(), gui_.interface.highlighted(),
                     frame_->draft};
+    const bool rough = now.draft && frame_->surface->implicit;
+    if (rough && !rough_target_) rough_target_.emplace(size, 1);
+    Target& target = rough ? *rough_target_ : *target_;
     if (drawn_ != now)
-        renderer_.draw(*frame_, *target_);
+        renderer_.draw(*frame_, target);
     else
-        renderer_.draw_again(*frame_, *target_);
+        renderer_.draw_again(*frame_, target);
     drawn_ = now;
     gui_.draw();
-    target_->show();
+    target.show();
     glfwSwapBuffers(window_.handle());
 
     obey(requests);

@@ -33,7 +33,7 @@ public:
             make_frame(scene, surfaces_.get(scene), {.rect = gui_.interface.picture(kSize), .draft = draft});
         Scene shown = scene;
         gui_.layout(kSize, scene.theme, 1.0f, [&] { gui_.interface.draw(shown, frame, {}); });
-        renderer_.draw(frame, target_);
+        renderer_.draw(frame, draft ? rough_target_ : target_);
         gui_.draw();
         glFinish();
         const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
@@ -41,7 +41,7 @@ public:
     }
 
 private:
-    Target target_{kSize, 4};
+    Target target_{kSize, 4}, rough_target_{kSize, 1};
     Renderer renderer_;
     Gui gui_{Gui::Brush::Gl};
     SurfaceCache surfaces_;
