@@ -2,8 +2,10 @@
 
 #include "core/error.h"
 #include "core/frame.h"
+#include "core/matte.h"
 #include "core/numbers.h"
 #include "core/surface.h"
+#include "display_scale.h"
 #include "gl/renderer.h"
 #include "gl/target.h"
 #include "gui.h"
@@ -67,6 +69,13 @@ Studio::Studio(ContextChoice context, std::size_t pictures) : choice_(context) {
 Studio::~Studio() = default;
 
 Capture Studio::capture(const Scene& scene, const CaptureOptions& options) {
+    if (options.ground == Ground::Scene) return draw(scene, options, std::nullopt);
+    Capture white = draw(scene, options, glm::vec3(1.0f));
+    if (options.ground == Ground::White) return white;
+    return {matte(draw(scene, options, glm::vec3(0.0f)).image, white.image), std::move(white.numbers)};
+}
+
+Capture Studio::draw(const Scene& scene, const CaptureOptions& options, const std::optional<glm::vec3>& plain_ground) {
     // A large mesh takes as long to read as a context takes to make and its shaders to compile: do both at once.
     auto loading =
         std::async(equipment_ ? std::launch::deferred : std::launch::async, [&] { return surfaces_.get(scene); });
@@ -75,45 +84,52 @@ Capture Studio::capture(const Scene& scene, const CaptureOptions& options) {
     if (!equipment_->renderer) equipment_->renderer.emplace();
     std::optional<Gui>& gui = equipment_->gui;
 
-    const float scale = options.scale.value_or(usual_scale(options.size, options.panel));
+    const float scale = options.lesson ? DisplayScale{}.of(1.0f, options.size, true)
+                                       : options.scale.value_or(usual_scale(options.size, options.panel));
+    const bool interface = options.panel || options.lesson;
     const std::shared_ptr<const Surface> surface = loading.get();
     PixelRect rect{{0, 0}, options.size};
     // The interface remembers what it showed last, which must not change this picture; words alone are forgotten.
     struct Forget {
         std::optional<Gui>& gui;
-        bool panel;
+        bool interface;
         ~Forget() {
-            if (panel) gui.reset();
+            if (interface) gui.reset();
         }
-    } const forget{gui, options.panel};
-    if (options.panel) {
+    } const forget{gui, interface};
+    if (interface) {
         gui.reset();
         gui.emplace(Gui::Brush::Processor);
+        if (options.lesson) gui->interface.record_lesson(options.lesson, scene, options.step);
         gui->interface.prepare(scene.theme, scale);
-        if (!gui->interface.show_tab(options.tab)) throw UsageError(unknown_tab(options.tab));
+        if (!options.lesson && !gui->interface.show_tab(options.tab)) throw UsageError(unknown_tab(options.tab));
         rect = gui->interface.picture(options.size);
     }
-    const Frame frame = make_frame(scene, surface, {.rect = rect, .pixel_scale = scale, .handles = options.panel});
+    Frame frame = make_frame(scene, surface, {.rect = rect, .pixel_scale = scale, .handles = options.panel});
+    if (plain_ground) {
+        frame.plain_ground = plain_ground;
+        frame.ground_height.reset();
+    }
 
     // Words are laid out on a thread of their own: that takes as long as to compile a shader.
     const auto lay_out = [&] {
         if (!gui) gui.emplace(Gui::Brush::Processor);
         Status status;
         const Transform<World, Object> m = world_from_object(scene);
-        if (const auto naive = normal_map(scene, m, Rule::Naive); naive && options.panel)
+        if (const auto naive = normal_map(scene, m, Rule::Naive); naive && interface)
             status.errors = error_statistics(surface->mesh, *naive, m.normal_matrices_by_rule());
         // Dear ImGui knows a window's size only after it has laid it out once.
-        for (int round = 0; round < (options.panel ? 3 : 1); ++round)
+        for (int round = 0; round < (interface ? 3 : 1); ++round)
             gui->layout(options.size, scene.theme, scale, [&] {
                 Scene unchanged = scene;
-                if (options.panel)
+                if (interface)
                     gui->interface.draw(unchanged, frame, status);
                 else
                     gui->interface.draw_words(frame);
             });
     };
     std::future<void> words;
-    if (options.panel || has_words(frame)) words = std::async(std::launch::async, lay_out);
+    if (interface || has_words(frame)) words = std::async(std::launch::async, lay_out);
 
     equipment_->renderer->draw(frame, target);
     Capture result{target.read(), {}};

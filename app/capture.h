@@ -1,6 +1,8 @@
 #pragma once
 
+#include "core/ground.h"
 #include "core/image.h"
+#include "core/lesson.h"
 #include "core/scene.h"
 #include "core/surface.h"
 #include "platform/context.h"
@@ -14,10 +16,14 @@ namespace normalscope {
 struct CaptureOptions {
     glm::ivec2 size{1280, 720};
     int samples = 4;
+    Ground ground = Ground::Scene;
     std::optional<float> scale;  ///< of words and lines; usual_scale where it is not given
     bool panel = false;          ///< the interface too
     std::string tab;             ///< the tab beside the picture, with the interface; empty: none
     bool numbers = false;        ///< fill Capture::numbers
+    /// With a lesson: what its step says, below the picture, as in presenter mode.
+    std::shared_ptr<const Lesson> lesson{};
+    std::size_t step = 0;
 };
 
 struct Capture {
@@ -42,6 +48,8 @@ public:
     Capture capture(const Scene& scene, const CaptureOptions& options);
 
 private:
+    Capture draw(const Scene& scene, const CaptureOptions& options, const std::optional<glm::vec3>& plain_ground);
+
     struct Equipment;
     ContextChoice choice_;
     std::unique_ptr<Equipment> equipment_;

@@ -1,3 +1,4 @@
+#include "animate.h"
 #include "capture.h"
 #include "check.h"
 #include "cli/options.h"
@@ -5,10 +6,13 @@
 #include "core/error.h"
 #include "core/explanation.h"
 #include "core/file.h"
+#include "core/lesson.h"
 #include "core/png.h"
 #include "core/scene_file.h"
+#include "handout.h"
 #include "scene_arguments.h"
 #include "sweep.h"
+#include "vector_capture.h"
 #include "viewer.h"
 
 #include <algorithm>
@@ -41,6 +45,22 @@ int run(const ScenesCommand&) {
     return 0;
 }
 
+int run(const LessonsCommand&) {
+    std::size_t width = 0;
+    for (const BuiltInLesson& lesson : built_in_lessons()) width = std::max(width, lesson.name.size() + 2);
+    std::string list;
+    for (const BuiltInLesson& lesson : built_in_lessons()) list += padded(lesson.name, width) + lesson.about + "\n";
+    write_file("/dev/stdout", list);
+    return 0;
+}
+
+int run(const HandoutCommand& command) {
+    write_file(command.output, handout(command));
+    return 0;
+}
+
+int run(const AnimateCommand& command) { return animate(command); }
+
 int run(const ViewCommand& command) {
     run_viewer(scene_for(command.file.value_or(std::string(kDefaultScene)), command.settings),
                command.file.value_or(""));
@@ -49,9 +69,12 @@ int run(const ViewCommand& command) {
 
 int run(const CaptureCommand& command) {
     const Scene scene = scene_for(command.file, command.settings);
+    const bool vector = command.output.extension() == ".svg";
+    if (vector) write_file(command.output, vector_capture(scene, command));
+    if (vector && !command.numbers) return 0;
     const Capture result =
         Studio(command.context).capture(scene, capture_options(command, command.numbers.has_value()));
-    write_png(command.output, result.image);
+    if (!vector) write_png(command.output, result.image);
     if (command.numbers) write_file(*command.numbers, result.numbers);
     return command.expected ? compare_capture(command, result.image) : 0;
 }

@@ -1,5 +1,7 @@
 #include "scene_arguments.h"
 
+#include "core/error.h"
+#include "core/lesson.h"
 #include "core/scene_file.h"
 #include "core/scene_json.h"
 
@@ -15,12 +17,21 @@ Scene scene_for(const std::string& file, const std::vector<std::string>& setting
 }
 
 CaptureOptions capture_options(const PictureArguments& arguments, bool numbers) {
-    return {.size = arguments.size,
-            .samples = arguments.samples,
-            .scale = arguments.scale,
-            .panel = arguments.panel || !arguments.tab.empty(),
-            .tab = arguments.tab,
-            .numbers = numbers};
+    const auto place = arguments.captions ? lesson_place(arguments.file) : std::nullopt;
+    if (arguments.captions && !place)
+        throw UsageError("--captions: FILE must be a lesson's step, such as 1-normal-as-a-point#3");
+    CaptureOptions options{.size = arguments.size,
+                           .samples = arguments.samples,
+                           .ground = arguments.ground,
+                           .scale = arguments.scale,
+                           .panel = arguments.panel || !arguments.tab.empty(),
+                           .tab = arguments.tab,
+                           .numbers = numbers};
+    if (place) {
+        options.lesson = std::make_shared<const Lesson>(load_lesson(place->lesson));
+        options.step = place->step;
+    }
+    return options;
 }
 
 }  // namespace normalscope

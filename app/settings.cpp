@@ -16,6 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t kMostLessons = 200;
+
 std::optional<std::filesystem::path> settings_file() {
     const auto from = [](const char* variable) {
         const char* value = std::getenv(variable);
@@ -35,6 +37,20 @@ std::optional<glm::ivec2> pair(const Json& json, const char* key) {
     return glm::ivec2(std::clamp((*it)[0].get<int>(), -30000, 30000), std::clamp((*it)[1].get<int>(), -30000, 30000));
 }
 
+double factor(const Json& json, const char* key) {
+    const auto it = json.find(key);
+    return it != json.end() && it->is_number() ? std::clamp(it->get<double>(), 0.6, 3.0) : 1.0;
+}
+
+std::map<std::string, std::size_t> steps(const Json& json) {
+    std::map<std::string, std::size_t> result;
+    const auto it = json.find("lessons");
+    if (it == json.end() || !it->is_object()) return result;
+    for (const auto& [lesson, step] : it->items())
+        if (step.is_number_unsigned() && result.size() < kMostLessons) result[lesson] = step.get<std::size_t>();
+    return result;
+}
+
 }  // namespace
 
 Settings load_settings() {
@@ -46,6 +62,11 @@ Settings load_settings() {
         if (const auto size = pair(json, "window_size"); size && size->x >= 480 && size->y >= 320)
             settings.place.size = *size;
         settings.place.position = pair(json, "window_position");
+        settings.scale.interface = factor(json, "interface_scale");
+        settings.scale.presenter = factor(json, "presenter_scale");
+        settings.lessons = steps(json);
+        if (const auto monitor = json.find("monitor"); monitor != json.end() && monitor->is_string())
+            settings.monitor = monitor->get<std::string>();
     } catch (const std::exception&) {
         return Settings{};
     }
@@ -60,8 +81,12 @@ void save_settings(const Settings& settings) {
     Json json;
     json["window_size"] = {settings.place.size.x, settings.place.size.y};
     if (settings.place.position) json["window_position"] = {settings.place.position->x, settings.place.position->y};
+    json["interface_scale"] = settings.scale.interface;
+    json["presenter_scale"] = settings.scale.presenter;
+    if (!settings.monitor.empty()) json["monitor"] = settings.monitor;
+    for (const auto& [lesson, step] : settings.lessons) json["lessons"][lesson] = step;
     try {
-        write_file(*file, json.dump(2) + "\n");
+        write_file(*file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     } catch (const Error&) {
         return;
     }

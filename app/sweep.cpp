@@ -8,13 +8,13 @@
 #include "core/file.h"
 #include "core/json_text.h"
 #include "core/png.h"
+#include "numbered.h"
 #include "progress.h"
 #include "scene_arguments.h"
+#include "temporary_folder.h"
 #include "video.h"
 
 #include <nlohmann/json.hpp>
-
-#include <unistd.h>
 
 #include <cstdio>
 #include <memory>
@@ -26,26 +26,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-/// A folder that is gone, with all in it, once it is no longer needed.
-class TemporaryFolder {
-public:
-    explicit TemporaryFolder(fs::path path) : path_(std::move(path)) {
-        std::error_code error;
-        fs::create_directories(path_, error);
-        if (error) throw InputError(path_.string() + ": cannot be made: " + error.message());
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    const fs::path& path() const { return path_; }
-
-private:
-    fs::path path_;
-};
 
 /// The pictures of a sweep in their order: of two things that vary, the second one goes on from picture to picture, as
 /// along the rows of a table.
@@ -67,28 +47,6 @@ public:
 private:
     const std::vector<Variation>& variations_;
 };
-
-// "%03d" becomes the picture's number; where there are two such places, its row's and its column's.
-fs::path numbered(const std::string& pattern, std::size_t i, std::size_t columns) {
-    const bool two = pattern.find('%') != pattern.rfind('%');
-    std::string name;
-    bool first = true;
-    for (std::size_t at = 0; at < pattern.size();) {
-        if (pattern[at] != '%') {
-            name += pattern[at++];
-            continue;
-        }
-        const std::size_t end = pattern.find('d', at);
-        const std::string width = pattern.substr(at + 1, end - at - 1);
-        std::string number = std::to_string(!two ? i : first ? i / columns : i % columns);
-        const std::size_t digits = width.empty() ? 0 : std::stoul(width);
-        if (number.size() < digits) number.insert(0, digits - number.size(), '0');
-        name += number;
-        first = false;
-        at = end + 1;
-    }
-    return name;
-}
 
 Scene varied(const Scene& base, const std::vector<std::string>& settings) {
     try {
@@ -118,7 +76,7 @@ int sweep(const SweepCommand& command) {
     for (std::size_t i = 0; i < plan.count(); ++i) scenes.push_back(varied(base, plan.settings(i)));
 
     std::optional<TemporaryFolder> frames;
-    if (video) frames.emplace(command.output + ".part" + std::to_string(::getpid()));
+    if (video) frames.emplace(command.output);
     const std::string pattern = video ? (frames->path() / "%06d.png").string() : command.output;
     const auto file = [&](std::size_t i) { return numbered(pattern, i, plan.columns()); };
     if (const fs::path folder = file(0).parent_path(); !folder.empty()) {

@@ -3,8 +3,10 @@
 #include "copied_command.h"
 #include "core/axis_handles.h"
 #include "core/error.h"
+#include "core/explanation.h"
 #include "core/frame.h"
 #include "core/history.h"
+#include "core/link.h"
 #include "core/picking.h"
 #include "core/png.h"
 #include "core/scene_file.h"
@@ -12,6 +14,8 @@
 #include "gl/renderer.h"
 #include "gl/target.h"
 #include "gui.h"
+#include "lecture_keys.h"
+#include "opening.h"
 #include "pointer.h"
 #include "settings.h"
 
@@ -33,23 +37,22 @@ constexpr int kSamples = 4;
 // Dear ImGui settles over a few frames after an event: a hovered button lights up in the next one.
 constexpr int kFramesAfterEvent = 3;
 
+// A link is as long as its scene, and says nothing to people.
+std::string short_name(const std::string& file) {
+    return is_link(file) ? "link" : std::filesystem::path(file).filename().string();
+}
+
 /// The window's program: events edit the scene, the scene becomes a frame, the frame a picture.
 class Viewer {
 public:
     Viewer(Scene scene, const std::string& file);
-    ~Viewer() { save_settings({window_.place()}); }
+    ~Viewer();
     Viewer(const Viewer&) = delete;
     Viewer& operator=(const Viewer&) = delete;
 
     void run();
 
 private:
-    struct Opened {
-        std::string file;
-        Scene scene;
-        std::unique_ptr<SurfaceCache> surfaces;
-    };
-
     void connect();
     void wait();
     bool redraw();  ///< false where there is nothing to draw on
@@ -66,8 +69,19 @@ private:
     void save_picture(const std::filesystem::path& file);
     void copy_command();
     void show(const Scene& scene) { scene_ = scene; }
+    /// The scene as this room should see it: a projector needs contrast.
+    Scene shown_scene() const;
+    /// Physical pixels per logical one, as desktop, user and room want it.
+    float scale() const;
+    void change_scale(int steps);
+    void present(bool presenting);
+    /// Whether the key was for a lesson or a lecturer.
+    bool to_lecture(int key, int action, int modifiers);
     void on_key(int key, int modifiers);
     void set_title();
+    void copy_link();
+    void copy_equations();
+    void paste();
     /// What the user has finished doing becomes one step to undo.
     void commit_if_finished() {
         if (!pointer_.busy() && !gui_.editing()) history_.commit(scene_);
@@ -94,6 +108,7 @@ private:
     std::string file_;
     std::optional<Frame> frame_;
     Pointer pointer_;
+    glm::dvec2 pointer_at_{0.0};
     std::future<Opened> opening_;
     int frames_wanted_ = kFramesAfterEvent;
 
@@ -105,6 +120,7 @@ private:
         std::optional<int> hot_axis;
         std::optional<Highlight> highlight;
         bool draft = false;
+        std::optional<Vector<World>> guess;
         friend bool operator==(const Drawn&, const Drawn&) = default;
     };
     std::optional<Drawn> drawn_;
@@ -117,13 +133,51 @@ private:
 };
 
 Viewer::Viewer(Scene scene, const std::string& file) : scene_(std::move(scene)), history_(scene_), file_(file) {
+    gui_.interface.lesson_progress() = settings_.lessons;
+    window_.choose_monitor(settings_.monitor);
     connect();
     set_title();
+    // The scene is there already; lessons and exercises are more than one.
+    if (!file.empty() && is_more_than_a_scene(file)) begin_opening(file);
+}
+
+Viewer::~Viewer() {
+    settings_.place = window_.place();
+    settings_.lessons = gui_.interface.lesson_progress();
+    settings_.monitor = window_.chosen_monitor();
+    save_settings(settings_);
+}
+
+Scene Viewer::shown_scene() const {
+    Scene scene = scene_;
+    if (gui_.interface.presenting()) scene.theme = theme_of(is_dark(scene.theme), true);
+    return scene;
+}
+
+float Viewer::scale() const {
+    return settings_.scale.of(window_.content_scale(), window_.framebuffer_size(), gui_.interface.presenting());
+}
+
+void Viewer::change_scale(int steps) { settings_.scale.change(gui_.interface.presenting(), steps); }
+
+void Viewer::present(bool presenting) {
+    gui_.interface.present(presenting);
+    if (window_.full_screen() != presenting) window_.toggle_full_screen();
+}
+
+bool Viewer::to_lecture(int key, int action, int modifiers) {
+    // Whatever is pressed, people see the picture again.
+    if (action == GLFW_PRESS && key != GLFW_KEY_F5 && key != GLFW_KEY_F11 && gui_.interface.end_blank()) return true;
+    const auto meant = lecture_key(key);
+    if (!meant || action == GLFW_RELEASE || (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT)) != 0 || pointer_.busy() ||
+        !gui_.interface.keys_are_free())
+        return false;
+    history_.commit(scene_);
+    return gui_.interface.press(*meant, scene_, frame_ ? &*frame_ : nullptr);
 }
 
 void Viewer::set_title() {
-    const std::string title =
-        (file_.empty() ? "" : std::filesystem::path(file_).filename().string() + " \u2013 ") + "Normalscope";
+    const std::string title = (file_.empty() ? "" : short_name(file_) + " \u2013 ") + "Normalscope";
     glfwSetWindowTitle(window_.handle(), title.c_str());
 }
 
@@ -135,11 +189,11 @@ void Viewer::connect() {
         on_event(window, [&](Viewer& v) {
             const glm::dvec2 at = glm::dvec2(x, y) * v.window_.pixels_per_pointer_unit();
             ImGui_ImplGlfw_CursorPosCallback(window, at.x, at.y);
-            if (!v.frame_) return;
-            v.pointer_.move(v.scene_, *v.frame_, at, v.window_.content_scale());
+            if (!v.frame_ || v.gui_.interface.drag(*v.frame_, v.scene_, v.scale(), at)) return;
+            v.pointer_at_ = at;
+            v.pointer_.move(v.scene_, *v.frame_, at, v.scale());
             const bool free = !v.pointer_.busy() && !v.gui_.wants_mouse() && v.gui_.interface.derivation_shown();
-            v.gui_.interface.highlight(free ? highlight_at(*v.frame_, at, 7.0 * v.window_.content_scale())
-                                            : std::nullopt);
+            v.gui_.interface.highlight(free ? highlight_at(*v.frame_, at, 7.0 * v.scale()) : std::nullopt);
         });
     });
     glfwSetMouseButtonCallback(w, [](GLFWwindow* window, int button, int action, int modifiers) {
@@ -147,13 +201,17 @@ void Viewer::connect() {
             if (action == GLFW_PRESS) v.catch_up();
             ImGui_ImplGlfw_MouseButtonCallback(window, button, action, modifiers);
             if (!v.frame_) return;
+            if (action == GLFW_RELEASE && v.gui_.interface.release()) return;
+            if (action == GLFW_PRESS && !v.gui_.wants_mouse() &&
+                v.gui_.interface.grab(*v.frame_, v.scene_, v.scale(), v.pointer_at_))
+                return;
             if (action == GLFW_RELEASE)
-                v.pointer_.release(v.scene_, *v.frame_, v.window_.content_scale());
+                v.pointer_.release(v.scene_, *v.frame_, v.scale());
             else if (!v.gui_.wants_mouse()) {
                 v.history_.commit(v.scene_);
                 v.pointer_.press(v.scene_, *v.frame_,
                                  {.left = button == GLFW_MOUSE_BUTTON_LEFT, .shift = (modifiers & GLFW_MOD_SHIFT) != 0},
-                                 v.window_.content_scale());
+                                 v.scale());
             }
         });
     });
@@ -166,6 +224,7 @@ void Viewer::connect() {
     glfwSetKeyCallback(w, [](GLFWwindow* window, int key, int code, int action, int modifiers) {
         on_event(window, [&](Viewer& v) {
             if (action == GLFW_PRESS) v.catch_up();
+            if (v.to_lecture(key, action, modifiers)) return;
             ImGui_ImplGlfw_KeyCallback(window, key, code, action, modifiers);
             if (action != GLFW_RELEASE) v.on_key(key, modifiers);
         });
@@ -195,6 +254,7 @@ void Viewer::on_key(int key, int modifiers) {
     const bool control = (modifiers & GLFW_MOD_CONTROL) != 0, shift = (modifiers & GLFW_MOD_SHIFT) != 0;
     if (key == GLFW_KEY_F1) return gui_.interface.toggle_help();
     if (key == GLFW_KEY_F11) return window_.toggle_full_screen();
+    if (key == GLFW_KEY_F5) return present(!gui_.interface.presenting());
     if (pointer_.busy() || gui_.wants_keyboard() || gui_.interface.dialog_shown()) return;
     history_.commit(scene_);
     if (control) {
@@ -206,6 +266,14 @@ void Viewer::on_key(int key, int modifiers) {
             case GLFW_KEY_F: return gui_.interface.edit_formula(scene_);
             case GLFW_KEY_P: return gui_.interface.ask_save_picture();
             case GLFW_KEY_C: return copy_command();
+            case GLFW_KEY_L: return shift ? copy_equations() : copy_link();
+            case GLFW_KEY_V: return paste();
+            case GLFW_KEY_EQUAL:
+            case GLFW_KEY_KP_ADD: return change_scale(+1);
+            case GLFW_KEY_MINUS:
+            case GLFW_KEY_KP_SUBTRACT: return change_scale(-1);
+            case GLFW_KEY_0:
+            case GLFW_KEY_KP_0: return change_scale(0);
             case GLFW_KEY_Q: return glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
             default: return;
         }
@@ -221,8 +289,11 @@ void Viewer::on_key(int key, int modifiers) {
             scene_.color = scene_.color == SurfaceColor::Lit ? SurfaceColor::Error : SurfaceColor::Lit;
             break;
         case GLFW_KEY_G: scene_.show.ghost = !scene_.show.ghost; break;
-        case GLFW_KEY_T: scene_.theme = scene_.theme == Theme::Light ? Theme::Dark : Theme::Light; break;
+        case GLFW_KEY_T: scene_.theme = toggled(scene_.theme); break;
         case GLFW_KEY_R: scene_.stack = {Scale{}}; break;
+        case GLFW_KEY_M:
+            if (gui_.interface.presenting()) window_.to_next_monitor();
+            break;
         case GLFW_KEY_1: look(0.0, 0.0); break;
         case GLFW_KEY_2: look(90.0, 0.0); break;
         case GLFW_KEY_3: look(0.0, 90.0); break;
@@ -241,13 +312,15 @@ void Viewer::on_key(int key, int modifiers) {
 Frame Viewer::frame_now(bool handles) {
     std::shared_ptr<const Surface> surface;
     const auto make = [&] {
-        return make_frame(scene_, surfaces_->get(scene_),
-                          {.rect = gui_.interface.picture(window_.framebuffer_size()),
-                           .pixel_scale = window_.content_scale(),
-                           .hot_axis = pointer_.hot_axis(),
-                           .highlight = gui_.interface.highlighted(),
-                           .handles = handles,
-                           .draft = handles && (pointer_.busy() || gui_.moving())});
+        Frame frame = make_frame(shown_scene(), surfaces_->get(scene_),
+                                 {.rect = gui_.interface.picture(window_.framebuffer_size()),
+                                  .pixel_scale = scale(),
+                                  .hot_axis = pointer_.hot_axis(),
+                                  .highlight = gui_.interface.highlighted(),
+                                  .handles = handles,
+                                  .draft = handles && (pointer_.busy() || gui_.moving())});
+        gui_.interface.add_to(frame, scene_, scale());
+        return frame;
     };
     try {
         return make();
@@ -279,7 +352,7 @@ bool Viewer::redraw() {
 
     const Scene before = scene_;
     Requests requests;
-    gui_.layout(size, scene_.theme, window_.content_scale(), [&] {
+    gui_.layout(size, shown_scene().theme, scale(), [&] {
         requests = gui_.interface.draw(scene_, *frame_, {history_.can_undo(), history_.can_redo(), errors_, file_});
     });
     if (scene_ != before) {
@@ -287,8 +360,9 @@ bool Viewer::redraw() {
         frames_wanted_ = kFramesAfterEvent;
     }
     // While only the interface changes, as in a dialog, the samples still hold the picture.
-    const Drawn now{scene_,       frame_->surface, frame_->rect, pointer_.hot_axis(), gui_.interface.highlighted(),
-                    frame_->draft};
+    const Drawn now{
+        shown_scene(), frame_->surface,       frame_->rect, pointer_.hot_axis(), gui_.interface.highlighted(),
+        frame_->draft, gui_.interface.guess()};
     const bool rough = now.draft && frame_->surface->implicit;
     if (rough && !rough_target_) rough_target_.emplace(size, 1);
     Target& target = rough ? *rough_target_ : *target_;
@@ -314,6 +388,9 @@ void Viewer::obey(const Requests& requests) {
         show(requests.undo ? history_.undo() : history_.redo());
     }
     if (requests.full_screen) window_.toggle_full_screen();
+    if (requests.end_presenting) present(false);
+    if (requests.copy_link) copy_link();
+    if (requests.copy_equations) copy_equations();
     if (requests.quit) glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE);
     if (requests.open) begin_opening(*requests.open);
     if (requests.open_mesh) begin_opening(*requests.open_mesh);
@@ -331,17 +408,30 @@ void Viewer::obey(const Requests& requests) {
     }
 }
 
+void Viewer::copy_link() {
+    glfwSetClipboardString(window_.handle(), link_of(scene_).c_str());
+    gui_.interface.show_note("Copied a link to this scene: paste it with Ctrl+V, or give it as FILE");
+}
+
+void Viewer::copy_equations() {
+    const auto probe = frame_ && frame_->probe ? std::optional(frame_->probe->object) : std::nullopt;
+    glfwSetClipboardString(window_.handle(), equations_latex(explanation(scene_, probe)).c_str());
+    gui_.interface.show_note("Copied the equations as LaTeX (packages amsmath and color)");
+}
+
+void Viewer::paste() {
+    const char* text = glfwGetClipboardString(window_.handle());
+    if (!text || !is_link(text))
+        return gui_.interface.show_note("The clipboard holds no link; one begins with normalscope:");
+    begin_opening(text);
+}
+
 void Viewer::begin_opening(const std::string& file) {
     if (opening_.valid()) return gui_.interface.show_note("Still reading a file");
-    // In another thread: the window stays alive while a large mesh is read. A mesh changes the surface and no more.
-    opening_ = std::async(std::launch::async, [file, scene = scene_] {
-        Opened opened{file, is_mesh_file(file) ? with_mesh(scene, file) : load_scene(file),
-                      std::make_unique<SurfaceCache>()};
-        (void)opened.surfaces->get(opened.scene);
-        return opened;
-    });
+    // In another thread: the window stays alive while a large mesh is read.
+    opening_ = std::async(std::launch::async, [file, scene = scene_] { return open_file(file, scene); });
     if (opening_.wait_for(std::chrono::milliseconds(150)) != std::future_status::ready)
-        gui_.interface.show_note("Reading " + std::filesystem::path(file).filename().string() + " \u2026");
+        gui_.interface.show_note("Reading " + short_name(file) + " \u2026");
 }
 
 void Viewer::finish_opening() {
@@ -350,10 +440,21 @@ void Viewer::finish_opening() {
     try {
         Opened opened = opening_.get();
         history_.commit(scene_);
+        if (opened.exercises) {
+            file_ = opened.file;
+            gui_.interface.start_exercises(*opened.exercises, scene_);
+            return set_title();
+        }
+        if (opened.lesson) {
+            surfaces_ = std::move(opened.surfaces);
+            file_ = opened.lesson->name;
+            gui_.interface.open_lesson(std::move(opened.lesson), scene_, opened.step);
+            return set_title();
+        }
         opened.scene.theme = scene_.theme;  // the room's light does not change with the scene
         scene_ = std::move(opened.scene);
         surfaces_ = std::move(opened.surfaces);
-        file_ = std::move(opened.file);
+        file_ = is_link(opened.file) ? "" : std::move(opened.file);
         set_title();
     } catch (const Error& e) {
         gui_.interface.show_error(e.what());
@@ -369,7 +470,7 @@ void Viewer::copy_command() {
 void Viewer::save_picture(const std::filesystem::path& file) {
     const glm::ivec2 size = window_.framebuffer_size();
     const Frame frame = frame_now(false);
-    gui_.layout(size, scene_.theme, window_.content_scale(), [&] { gui_.interface.draw_words(frame); });
+    gui_.layout(size, shown_scene().theme, scale(), [&] { gui_.interface.draw_words(frame); });
     drawn_.reset();
     renderer_.draw(frame, *target_);
     gui_.draw();

@@ -34,7 +34,9 @@ CLI::Option& add(CLI::App& app, const std::string& name, std::string& value, con
 
 CLI::Option& add_file(CLI::App& app, std::string& value) {
     return add(app, "FILE", value, "",
-               "A scene (.json), a mesh (.obj, .ply, .stl), or the name of a built-in scene (see normalscope scenes)");
+               "A scene (.json), a mesh (.obj, .ply, .stl), a link (normalscope:…), a lesson or its n-th step "
+               "(NAME#n), or the "
+               "name of a built-in scene (see normalscope scenes, normalscope lessons)");
 }
 
 CLI::Option& add_list(CLI::App& app, const std::string& name, std::vector<std::string>& value, const std::string& word,
@@ -63,10 +65,13 @@ void GivenPicture::add_to(CLI::App& app, PictureArguments& arguments) {
     add(app, "--size", size, "WIDTHxHEIGHT", "In pixels");
     add(app, "--samples", samples, "N", "Samples a pixel, against jagged edges: 1, 2 or 4");
     add(app, "--scale", scale, "FACTOR", "Size of words and lines, 0.5 to 8 [as the picture's size has it]");
+    add(app, "--ground", ground, "KIND",
+        "What is behind the object: scene (a ground with a grid), white, or transparent");
     add_context(app, context);
     app.add_flag("--panel", arguments.panel, "Draw the interface too");
     add(app, "--tab", arguments.tab, "NAME",
         "Draw the interface, with a tab open beside the picture: derivation, stack, maps or error");
+    app.add_flag("--captions", arguments.captions, "Draw what a lesson's step says below the picture: with NAME#n");
     add_settings(app, arguments.settings);
 }
 
@@ -74,6 +79,7 @@ void GivenPicture::read_into(PictureArguments& arguments) const {
     arguments.size = parse_size("--size", size);
     arguments.samples = parse_samples("--samples", samples);
     if (!scale.empty()) arguments.scale = parse_scale("--scale", scale);
+    arguments.ground = parse_ground("--ground", ground);
     arguments.context = parse_context("--context", context);
 }
 

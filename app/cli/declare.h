@@ -43,7 +43,7 @@ int parse_jobs(const std::string& text);
 /// The options of PictureArguments, but for the file.
 struct GivenPicture {
     std::string size{text_of(PictureArguments{}.size)}, samples{std::to_string(PictureArguments{}.samples)}, scale,
-        context{"auto"};
+        ground{"scene"}, context{"auto"};
 
     void add_to(CLI::App& app, PictureArguments& arguments);
     void read_into(PictureArguments& arguments) const;
@@ -79,5 +79,9 @@ public:
 Declared declare_sweep(CLI::App& root);
 Declared declare_compare(CLI::App& root);
 Declared declare_check(CLI::App& root);
+// Those about lessons.
+Declared declare_lessons(CLI::App& root);
+Declared declare_handout(CLI::App& root);
+Declared declare_animate(CLI::App& root);
 
 }  // namespace normalscope

@@ -48,9 +48,13 @@ Declared declare_capture(CLI::App& root) {
            "  normalscope capture bunny.obj -o bunny.png --set 'stack.0.scale=[1,2,1]' --set rule=naive\n"
            "  normalscope capture lecture.json -o lecture.png --size 1920x1080 --numbers lecture.numbers.json\n"
            "  normalscope capture wing.json -o wing.png --expect references/wing.png --tolerance 3\n"
+           "  normalscope capture shear -o shear.svg --ground transparent\n"
            "  normalscope capture shear -o - | display");
     add_file(app, given->command.file).capture_default_str();
-    add(app, "-o,--output", given->output, "OUT.png", "The picture to write; - is standard output").required();
+    add(app, "-o,--output", given->output, "OUT.png",
+        "The picture to write; - is standard output. A name that ends in .svg gets the "
+        "vector parts: outlines, arrows, axes, labels")
+        .required();
     given->picture.add_to(app, given->command);
     CLI::Option& numbers =
         add(app, "--numbers", given->numbers, "OUT.json",
@@ -59,28 +63,32 @@ Declared declare_capture(CLI::App& root) {
                                 "Compare with an earlier picture: exit code 1 if they differ, and then leave "
                                 "OUT.expected.png and OUT.difference.png beside OUT.png");
     given->tolerance.add_to(app);
-    return {&app, [given, &app, &numbers, &expected] {
-                CaptureCommand command = given->command;
-                given->picture.read_into(command);
-                command.output = parse_output("--output", given->output);
-                if (numbers.count() > 0) command.numbers = parse_output("--numbers", given->numbers);
-                if (command.numbers == command.output)
-                    throw UsageError("--numbers " + given->numbers +
-                                     ": the picture goes there already; write one of them elsewhere");
-                if (expected.count() > 0) {
-                    command.expected = given->expected;
-                    if (command.output == "/dev/stdout")
-                        throw UsageError("--expect " + given->expected +
-                                         ": needs a file for --output, beside which to leave a difference");
-                    if (command.numbers == "/dev/stdout")
-                        throw UsageError("--expect " + given->expected +
-                                         ": its result goes to standard output; write --numbers to a file");
-                } else if (given->tolerance.given(app)) {
-                    throw UsageError("--tolerance, --share, --perceptual: they go with --expect, which is missing");
-                }
-                command.tolerance = given->tolerance.read();
-                return command;
-            }};
+    return {
+        &app, [given, &app, &numbers, &expected] {
+            CaptureCommand command = given->command;
+            given->picture.read_into(command);
+            command.output = parse_picture_output("--output", given->output);
+            if (command.output.extension() == ".svg" && (expected.count() > 0 || command.panel || !command.tab.empty()))
+                throw UsageError("--output " + given->output +
+                                 ": --expect, --panel and --tab are for pixels; end the name in .png");
+            if (numbers.count() > 0) command.numbers = parse_output("--numbers", given->numbers);
+            if (command.numbers == command.output)
+                throw UsageError("--numbers " + given->numbers +
+                                 ": the picture goes there already; write one of them elsewhere");
+            if (expected.count() > 0) {
+                command.expected = given->expected;
+                if (command.output == "/dev/stdout")
+                    throw UsageError("--expect " + given->expected +
+                                     ": needs a file for --output, beside which to leave a difference");
+                if (command.numbers == "/dev/stdout")
+                    throw UsageError("--expect " + given->expected +
+                                     ": its result goes to standard output; write --numbers to a file");
+            } else if (given->tolerance.given(app)) {
+                throw UsageError("--tolerance, --share, --perceptual: they go with --expect, which is missing");
+            }
+            command.tolerance = given->tolerance.read();
+            return command;
+        }};
 }
 
 Declared declare_explain(CLI::App& root) {
@@ -173,7 +181,8 @@ CommandLine::CommandLine()
     : root_{std::make_unique<CLI::App>("Shows what a transformation does to a surface's normals.", "normalscope")},
       view{declare_view(*root_)},
       commands{declare_capture(*root_), declare_sweep(*root_),   declare_explain(*root_),
-               declare_scenes(*root_),  declare_compare(*root_), declare_check(*root_)} {
+               declare_scenes(*root_),  declare_lessons(*root_), declare_handout(*root_),
+               declare_animate(*root_), declare_compare(*root_), declare_check(*root_)} {
     root_->require_subcommand(0, 1);
 }
 CommandLine::~CommandLine() = default;

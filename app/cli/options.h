@@ -2,6 +2,7 @@
 
 #include "core/context_choice.h"
 #include "core/explain_format.h"
+#include "core/ground.h"
 #include "core/image_difference.h"
 #include "core/scene_file.h"
 #include "core/vary.h"
@@ -18,7 +19,7 @@ namespace normalscope {
 
 /// `normalscope [FILE]`: the window.
 struct ViewCommand {
-    std::optional<std::string> file;    ///< a scene, a mesh, or a built-in scene's name
+    std::optional<std::string> file;    ///< a scene, a mesh, a lesson, or the name of a built-in one
     std::vector<std::string> settings;  ///< PATH=VALUE, for with_setting
 };
 
@@ -28,13 +29,15 @@ struct PictureArguments {
     glm::ivec2 size{1280, 720};
     int samples = 4;
     std::optional<float> scale;  ///< of words and lines; empty: by the size
+    Ground ground = Ground::Scene;
     ContextChoice context = ContextChoice::Auto;
     bool panel = false;
     std::string tab;  ///< beside the picture, with the panel; empty: none
+    bool captions = false;
     std::vector<std::string> settings;
 };
 
-/// `normalscope capture [FILE] -o OUT.png`
+/// `normalscope capture [FILE] -o OUT.png`, or OUT.svg
 struct CaptureCommand : PictureArguments {
     std::filesystem::path output;
     std::optional<std::filesystem::path> numbers, expected;
@@ -60,6 +63,26 @@ struct ExplainCommand {
 /// `normalscope scenes`
 struct ScenesCommand {};
 
+/// `normalscope lessons`
+struct LessonsCommand {};
+
+/// `normalscope handout LESSON -o OUT.html`
+struct HandoutCommand {
+    std::string lesson;
+    std::filesystem::path output;
+    glm::ivec2 size{960, 600};
+    ContextChoice context = ContextChoice::Auto;
+};
+
+/// `normalscope animate LESSON -o OUT`
+struct AnimateCommand {
+    std::string lesson, output;  ///< a video's name, or a picture's with a place for a number
+    glm::ivec2 size{1280, 720};
+    ContextChoice context = ContextChoice::Auto;
+    int frames_per_second = 25;
+    double seconds = 4.0;  ///< for which each step stands still
+};
+
 /// `normalscope compare ACTUAL EXPECTED`
 struct CompareCommand {
     std::filesystem::path actual, expected;
@@ -84,8 +107,8 @@ struct Printed {
     std::string text;
 };
 
-using Command = std::variant<ViewCommand, CaptureCommand, SweepCommand, ExplainCommand, ScenesCommand, CompareCommand,
-                             CheckCommand, Printed>;
+using Command = std::variant<ViewCommand, CaptureCommand, SweepCommand, ExplainCommand, ScenesCommand, LessonsCommand,
+                             HandoutCommand, AnimateCommand, CompareCommand, CheckCommand, Printed>;
 
 /// Throws UsageError. An output named "-" comes back as /dev/stdout.
 Command parse_command_line(int argc, const char* const* argv);

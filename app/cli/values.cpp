@@ -57,6 +57,13 @@ float parse_scale(const std::string& option, const std::string& text) {
     return value;
 }
 
+Ground parse_ground(const std::string& option, const std::string& text) {
+    if (text == "scene") return Ground::Scene;
+    if (text == "white") return Ground::White;
+    if (text == "transparent") return Ground::Transparent;
+    fail(option, text, "expected scene, white or transparent");
+}
+
 ContextChoice parse_context(const std::string& option, const std::string& text) {
     using enum ContextChoice;
     for (const auto& [name, choice] : {std::pair{"auto", Auto}, {"osmesa", Osmesa}, {"egl", Egl}})
@@ -118,13 +125,18 @@ std::string parse_numbered_output(const std::string& option, const std::string& 
     return text;
 }
 
+std::filesystem::path parse_picture_output(const std::string& option, const std::string& text) {
+    if (text.ends_with(".svg")) return text;
+    return parse_output(option, text);
+}
+
 std::filesystem::path parse_output(const std::string& option, const std::string& text) {
     if (text.empty()) throw UsageError(option + ": its file's name is empty; give a name, or - for standard output");
     static constexpr std::array<std::string_view, 10> kOthers{".jpg",  ".jpeg", ".gif", ".bmp", ".tif",
                                                               ".tiff", ".webp", ".svg", ".pdf", ".mp4"};
     for (const std::string_view other : kOthers)
         if (text.ends_with(other))
-            throw UsageError(option + " " + text + ": only PNG is written; end the name in .png");
+            throw UsageError(option + " " + text + ": only PNG is written (and by capture SVG); end the name in .png");
     return text == "-" ? "/dev/stdout" : text;
 }
 

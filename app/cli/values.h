@@ -9,6 +9,7 @@ namespace normalscope {
 glm::ivec2 parse_size(const std::string& option, const std::string& text);
 int parse_samples(const std::string& option, const std::string& text);
 float parse_scale(const std::string& option, const std::string& text);
+Ground parse_ground(const std::string& option, const std::string& text);
 ContextChoice parse_context(const std::string& option, const std::string& text);
 ExplainFormat parse_format(const std::string& option, const std::string& text);
 int parse_tolerance(const std::string& option, const std::string& text);
@@ -16,6 +17,8 @@ double parse_share(const std::string& option, const std::string& text);
 int parse_count(const std::string& option, const std::string& text, int most);
 /// Where `count` pictures go: a video's name, or a picture's with a place for each number; a folder gets frame-%03d.png.
 std::string parse_numbered_output(const std::string& option, const std::string& text, std::size_t count, bool grid);
+/// A picture's name, which may end in .svg.
+std::filesystem::path parse_picture_output(const std::string& option, const std::string& text);
 /// "-" is standard output.
 std::filesystem::path parse_output(const std::string& option, const std::string& text);
 

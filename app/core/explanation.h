@@ -45,6 +45,8 @@ Explanation explanation(const Scene& scene, const std::optional<Probe>& probe, s
 std::string explanation_text(const Explanation& e);
 /// A whole document for pdflatex, in the colours of the palette.
 std::string explanation_latex(const Explanation& e);
+/// The equations alone, with the scene's numbers, for a document that loads amsmath and color: colours, then an align*.
+std::string equations_latex(const Explanation& e);
 /// The keys of `--numbers`, and those of the explanation; renderer and context are null.
 std::string explanation_json(const Scene& scene, const Frame& frame, const Explanation& e);
 

@@ -25,18 +25,24 @@ std::string_view color(Rule rule) {
 
 std::string display(const std::string& mathematics) { return "\\[ " + mathematics + " \\]\n"; }
 
-std::string preamble(const Explanation& e) {
-    std::string out =
-        "\\documentclass[11pt,a4paper]{article}\n\\usepackage[utf8]{inputenc}\n"
-        "\\usepackage{amsmath}\n\\usepackage{color}\n\\usepackage[margin=22mm]{geometry}\n\\setlength{\\parindent}{"
-        "0pt}\n"
-        "\\setlength{\\parskip}{4pt}\n";
+std::string color_definitions() {
+    std::string out;
     const auto define = [&](std::string_view name, const glm::vec3& c) {
         out += "\\definecolor{" + std::string(name) + "}{rgb}{" + latex_color(c) + "}\n";
     };
     for (const Rule rule : kRules) define(color(rule), rule_color(rule));
     define("tangent", kTangentColor);
     define("object", theme_colors(Theme::Light).ghost);
+    return out;
+}
+
+std::string preamble(const Explanation& e) {
+    std::string out =
+        "\\documentclass[11pt,a4paper]{article}\n\\usepackage[utf8]{inputenc}\n"
+        "\\usepackage{amsmath}\n\\usepackage{color}\n\\usepackage[margin=22mm]{geometry}\n\\setlength{\\parindent}{"
+        "0pt}\n"
+        "\\setlength{\\parskip}{4pt}\n";
+    out += color_definitions();
     return out + "\\begin{document}\n\n\\section*{Why the inverse transpose?}\n" + latex_text(e.about) + "\n";
 }
 
@@ -215,6 +221,22 @@ std::string explanation_latex(const Explanation& e) {
     return preamble(e) + of_matrix(e) + of_gradient(e) + of_derivation(e) + of_checks(e) +
            of_homogeneous(e.derivation.homogeneous) + of_stack(e) + of_decomposition(e.decomposition) + of_classes(e) +
            "\\end{document}\n";
+}
+
+std::string equations_latex(const Explanation& e) {
+    std::string out = color_definitions() + "\\begin{align*}\n  M &= " + latex_matrix(e.m) + " \\\\\n";
+    const auto aligned = [](std::string line) {
+        if (const auto sign = line.find(" = "); sign != std::string::npos) line.replace(sign, 3, " &= ");
+        return line;
+    };
+    for (const Step& step : e.derivation.steps) {
+        if (step.id != "given" && step.id != "wanted" && step.id != "rule") continue;
+        out += "  " + aligned(latex_names(step.line)) + " \\\\\n";
+        if (step.id == "rule" && step.state != Step::State::NoValue)
+            out += "  " + aligned(latex_numbers(step.line)) + " \\\\\n";
+    }
+    out.resize(out.size() - 4);
+    return out + "\n\\end{align*}\n";
 }
 
 }  // namespace normalscope

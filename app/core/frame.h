@@ -105,8 +105,9 @@ struct Frame {
     glm::vec3 toward_light{0.0f, 1.0f, 0.0f};
     /// The naive rule's map and the true one, for the error map; empty where either does not exist.
     std::optional<std::array<NormalMap, 2>> error_maps;
-    std::optional<float> ground_height;  ///< of the grid; empty: no grid
-    glm::mat3 shadow_from_ground{0.0f};  ///< (x, z, 1) to a disc that is 1 where the object's shadow ends
+    std::optional<glm::vec3> plain_ground;  ///< behind everything, in place of the theme's ground
+    std::optional<float> ground_height;     ///< of the grid; empty: no grid
+    glm::mat3 shadow_from_ground{0.0f};     ///< (x, z, 1) to a disc that is 1 where the object's shadow ends
     std::vector<LegendEntry> legend;
     bool error_legend = false;
     bool draft = false;  ///< formulas' surfaces at half the resolution

@@ -38,6 +38,24 @@ struct ThemeColors {
     glm::vec3 text, text_shadow;
 };
 constexpr ThemeColors theme_colors(Theme theme) {
+    if (theme == Theme::DarkContrast)
+        return {.background_top = rgb(0x000000),
+                .background_bottom = rgb(0x000000),
+                .grid = rgb(0x5A5F66),
+                .surface = rgb(0xC9CCD0),
+                .inside = rgb(0x968D80),
+                .ghost = rgb(0xC2C6CC),
+                .text = rgb(0xFFFFFF),
+                .text_shadow = rgb(0x000000)};
+    if (theme == Theme::LightContrast)
+        return {.background_top = rgb(0xFFFFFF),
+                .background_bottom = rgb(0xFFFFFF),
+                .grid = rgb(0xB4B8BC),
+                .surface = rgb(0xCFCEC9),
+                .inside = rgb(0xA89A83),
+                .ghost = rgb(0x55595E),
+                .text = rgb(0x000000),
+                .text_shadow = rgb(0xFFFFFF)};
     if (theme == Theme::Dark)
         return {.background_top = rgb(0x2A2D33),
                 .background_bottom = rgb(0x16181C),

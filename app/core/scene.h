@@ -18,7 +18,16 @@ enum class Shape { Sphere, Cube, Cylinder, Cone, Torus, Plane, Dodecahedron };
 enum class ViewMode { Single, Split, Overlay };
 enum class ArrowPlacement { Vertices, Faces };
 enum class SurfaceColor { Lit, Error };
-enum class Theme { Light, Dark };
+/// The contrast themes are for lecture halls and low vision: black on white, or white on black.
+enum class Theme { Light, Dark, LightContrast, DarkContrast };
+constexpr bool is_dark(Theme theme) { return theme == Theme::Dark || theme == Theme::DarkContrast; }
+constexpr bool has_contrast(Theme theme) { return theme == Theme::LightContrast || theme == Theme::DarkContrast; }
+constexpr Theme theme_of(bool dark, bool contrast) {
+    if (contrast) return dark ? Theme::DarkContrast : Theme::LightContrast;
+    return dark ? Theme::Dark : Theme::Light;
+}
+/// The other one in lightness, of the same contrast.
+constexpr Theme toggled(Theme theme) { return theme_of(!is_dark(theme), has_contrast(theme)); }
 
 /// A built-in shape that touches the unit sphere or fills the cube [−1, 1]³.
 struct ShapeSurface {

@@ -41,7 +41,9 @@ inline constexpr std::array kArrowKindNames{EnumName<ArrowKind>{ArrowKind::Objec
                                             EnumName<ArrowKind>{ArrowKind::Cofactor, "cofactor"}};
 inline constexpr std::array kColorNames{EnumName<SurfaceColor>{SurfaceColor::Lit, "lit"},
                                         EnumName<SurfaceColor>{SurfaceColor::Error, "error"}};
-inline constexpr std::array kThemeNames{EnumName<Theme>{Theme::Light, "light"}, EnumName<Theme>{Theme::Dark, "dark"}};
+inline constexpr std::array kThemeNames{EnumName<Theme>{Theme::Light, "light"}, EnumName<Theme>{Theme::Dark, "dark"},
+                                        EnumName<Theme>{Theme::LightContrast, "light-contrast"},
+                                        EnumName<Theme>{Theme::DarkContrast, "dark-contrast"}};
 inline constexpr std::array kRuleNames{EnumName<Rule>{Rule::Naive, "naive"},
                                        EnumName<Rule>{Rule::InverseTranspose, "inverse-transpose"},
                                        EnumName<Rule>{Rule::Cofactor, "cofactor"}};

@@ -1,8 +1,11 @@
 #include "core/scene_file.h"
 
 #include "core/error.h"
+#include "core/exercise.h"
 #include "core/file.h"
 #include "core/formula/parse.h"
+#include "core/lesson.h"
+#include "core/link.h"
 #include "core/scene_json.h"
 
 #include <embedded.h>
@@ -61,6 +64,10 @@ Scene with_mesh(Scene scene, const std::string& file) {
 }
 
 Scene load_scene(const std::string& file_or_name) {
+    if (is_link(file_or_name)) return scene_of_link(file_or_name);
+    if (const auto exercises = exercises_name(file_or_name)) return make_exercise(exercises->seed.value_or(0), 0).scene;
+    if (const auto place = lesson_place(file_or_name)) return load_lesson(place->lesson).steps[place->step].scene;
+    if (is_lesson(file_or_name)) return load_lesson(file_or_name).steps.front().scene;
     const fs::path path(file_or_name);
     if (lower_case_ending(path) == ".json") {
         Scene scene = parse_scene(read_file(path, kLargestSceneFile), file_or_name);
@@ -83,7 +90,10 @@ Scene load_scene(const std::string& file_or_name) {
     if (is_formula(file_or_name))
         throw InputError(file_or_name + ": no such file; a formula is given by --set 'surface.formula=" + file_or_name +
                          "'");
-    throw InputError(file_or_name + ": no such file, nor a built-in scene (" + names_like(file_or_name) + ")");
+    std::string lessons;
+    for (const BuiltInLesson& lesson : built_in_lessons()) lessons += (lessons.empty() ? "" : ", ") + lesson.name;
+    throw InputError(file_or_name + ": no such file, nor a built-in scene (" + names_like(file_or_name) +
+                     ") or lesson (" + lessons + ")");
 }
 
 void save_scene(const Scene& scene, const fs::path& file) {

@@ -15,7 +15,8 @@ bool is_mesh_file(const std::filesystem::path& file);
 Scene with_mesh(Scene scene, const std::string& file);
 
 /// Reads a scene (.json, its mesh path taken relative to the file) or wraps a mesh file (.obj, .ply, .stl) into the
-/// default scene; a built-in scene's name works too. Throws InputError.
+/// default scene; a built-in scene's name, a link (core/link.h) and a lesson or its n-th step ("NAME#n") work too. Throws
+/// InputError.
 Scene load_scene(const std::string& file_or_name);
 /// Writes to a temporary file and renames, so that a full disk or a kill loses nothing. Throws InputError.
 void save_scene(const Scene& scene, const std::filesystem::path& file);

@@ -121,8 +121,8 @@ void Renderer::Resources::draw_backdrop(const Frame& frame, const Pane& pane, co
     backdrop_program.use();
     backdrop_program.world_from_clip = glm::mat4(glm::inverse(pane.view.clip_from_world()));
     backdrop_program.eye = pane.view.eye().xyz;
-    backdrop_program.top_color = colors.background_top;
-    backdrop_program.bottom_color = colors.background_bottom;
+    backdrop_program.top_color = frame.plain_ground.value_or(colors.background_top);
+    backdrop_program.bottom_color = frame.plain_ground.value_or(colors.background_bottom);
     backdrop_program.grid_color = colors.grid;
     backdrop_program.ground = frame.ground_height.value_or(0.0f);
     backdrop_program.grid_amount = frame.ground_height ? 1.0f : 0.0f;

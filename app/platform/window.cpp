@@ -36,13 +36,29 @@ void choose_platform() {
 #endif
 }
 
-// The monitor that most of the window lies on.
-GLFWmonitor* monitor_of(const WindowPlace& place) {
+std::span<GLFWmonitor*> monitors() {
     int count = 0;
     GLFWmonitor** const list = glfwGetMonitors(&count);
+    return {list, static_cast<std::size_t>(count)};
+}
+
+std::string name_of(GLFWmonitor* monitor) {
+    const char* name = glfwGetMonitorName(monitor);
+    return name ? name : "";
+}
+
+// Null where it is not connected any more.
+GLFWmonitor* monitor_named(const std::string& name) {
+    for (GLFWmonitor* monitor : monitors())
+        if (!name.empty() && name_of(monitor) == name) return monitor;
+    return nullptr;
+}
+
+// The monitor that most of the window lies on.
+GLFWmonitor* monitor_of(const WindowPlace& place) {
     GLFWmonitor* best = glfwGetPrimaryMonitor();
     int best_area = 0;
-    for (GLFWmonitor* monitor : std::span(list, static_cast<std::size_t>(count))) {
+    for (GLFWmonitor* monitor : monitors()) {
         glm::ivec2 origin;
         glfwGetMonitorPos(monitor, &origin.x, &origin.y);
         const GLFWvidmode* mode = glfwGetVideoMode(monitor);
@@ -133,11 +149,23 @@ void Window::toggle_full_screen() {
         return;
     }
     const WindowPlace now = place();
-    GLFWmonitor* monitor = monitor_of(now);
+    GLFWmonitor* monitor = monitor_named(chosen_monitor_);
+    if (!monitor) monitor = monitor_of(now);
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
     if (!mode) return;
     windowed_ = now;
     glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+void Window::to_next_monitor() {
+    const std::span<GLFWmonitor*> all = monitors();
+    if (!windowed_ || all.size() < 2) return;
+    const auto now = std::ranges::find(all, glfwGetWindowMonitor(window_));
+    const auto next = now == all.end() || now + 1 == all.end() ? all.begin() : now + 1;
+    const GLFWvidmode* mode = glfwGetVideoMode(*next);
+    if (!mode) return;
+    chosen_monitor_ = name_of(*next);
+    glfwSetWindowMonitor(window_, *next, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
 }  // namespace normalscope

@@ -5,6 +5,8 @@
 #include <glm/vec2.hpp>
 
 #include <optional>
+#include <string>
+#include <utility>
 
 struct GLFWwindow;
 
@@ -35,12 +37,18 @@ public:
     float content_scale() const;
     /// Where it stands when not full screen.
     WindowPlace place() const;
-    /// Full screen on the monitor that it is on, and back.
+    /// Full screen, on the monitor that was chosen last or else on the one that it is on, and back.
     void toggle_full_screen();
+    /// While full screen: to the next monitor, whose name is remembered.
+    void to_next_monitor();
+    const std::string& chosen_monitor() const { return chosen_monitor_; }
+    void choose_monitor(std::string name) { chosen_monitor_ = std::move(name); }
+    bool full_screen() const { return windowed_.has_value(); }
 
 private:
     GLFWwindow* window_ = nullptr;
     std::optional<WindowPlace> windowed_;  // set while full screen
+    std::string chosen_monitor_;
 };
 
 }  // namespace normalscope

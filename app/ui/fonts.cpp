@@ -98,7 +98,7 @@ void ExtraLetters::want(std::string_view utf8, const ImFont* font) {
     }
 }
 
-Fonts build_fonts(float scale, ExtraLetters& extra, Previews* previews) {
+Fonts build_fonts(float scale, ExtraLetters& extra, Previews* previews, bool captions) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight | ImFontAtlasFlags_NoMouseCursors;
@@ -124,6 +124,14 @@ Fonts build_fonts(float scale, ExtraLetters& extra, Previews* previews) {
     baker.merge(kSymbols, 20.0f * kSymbolsSize, kSigns.data(), fonts.upright);
     fonts.numbers = baker.add(kRegular, 14.0f, kDigits.data());
     fonts.tiny = baker.add(kRegular, 10.0f, kLetters.data());
+    if (captions) {
+        fonts.caption = both(kRegular, 19.0f, kLatin.data(), kMath.data());
+        if (letters.size() > 1) {
+            baker.merge(kRegular, 19.0f, letters.data(), fonts.caption);
+            baker.merge(kSymbols, 19.0f * kSymbolsSize, letters.data(), fonts.caption);
+        }
+        fonts.equation = both(kRegular, 25.0f, kLatin.data(), kMath.data());
+    }
     ImGui::GetIO().FontDefault = fonts.body;
     if (previews) previews->reserve(atlas);
     atlas.Build();

@@ -18,6 +18,9 @@ struct Fonts {
     ImFont* upright = nullptr;  ///< 20 px: the digits and operators beside them
     ImFont* numbers = nullptr;  ///< 14 px: the entries of their matrices
     ImFont* tiny = nullptr;     ///< 10 px: letters below small words
+    // What is said below the picture, in a lesson or a lecture; baked where it is wanted.
+    ImFont* caption = nullptr;   ///< 19 px
+    ImFont* equation = nullptr;  ///< 25 px
 };
 
 /// Letters beyond those that the interface itself uses: those of file names and messages. Baking every letter of every
@@ -37,7 +40,8 @@ private:
     bool pending_ = false;
 };
 
-/// Makes the current context's font atlas anew and bakes it, with room for the previews that are wanted.
-Fonts build_fonts(float scale, ExtraLetters& extra, Previews* previews = nullptr);
+/// Makes the current context's font atlas anew and bakes it, with room for the previews that are wanted. `captions`: with
+/// the fonts of what is said below the picture.
+Fonts build_fonts(float scale, ExtraLetters& extra, Previews* previews = nullptr, bool captions = false);
 
 }  // namespace normalscope

@@ -29,7 +29,9 @@ constexpr Line kLook[]{
     {"1 2 3", "from the front, the side, the top"},
     {"Tab", "hide or show the panel (H, too)"},
     {"D", "the derivation, beside the picture"},
+    {"F5", "present: large words, no panel"},
     {"F11", "full screen"},
+    {"Ctrl_+ Ctrl_−", "larger, smaller (Ctrl+0: as it was)"},
     {"F1", "this card"},
     {"Esc", "close what is open"},
 };
@@ -40,10 +42,25 @@ constexpr Line kRulesKeys[]{
     {"T", "light or dark theme"},
 };
 constexpr Line kWork[]{
-    {"R", "reset the transform"},           {"Ctrl Z", "undo"},
-    {"Ctrl Shift Z", "redo (Ctrl+Y, too)"}, {"Ctrl O", "open a scene or a mesh"},
-    {"Ctrl S", "save the scene"},           {"Ctrl P", "save the picture"},
-    {"Ctrl F", "type a formula"},           {"Ctrl C", "copy as a command"},
+    {"R", "reset the transform"},
+    {"Ctrl Z", "undo"},
+    {"Ctrl Shift Z", "redo (Ctrl+Y, too)"},
+    {"Ctrl O", "open a scene or a mesh"},
+    {"Ctrl S", "save the scene"},
+    {"Ctrl P", "save the picture"},
+    {"Ctrl F", "type a formula"},
+    {"Ctrl C", "copy as a command"},
+    {"Ctrl L", "copy a link to the scene"},
+    {"Ctrl V", "open a copied link"},
+    {"Ctrl Shift L", "copy the equations as LaTeX"},
+};
+
+constexpr Line kLesson[]{
+    {"Page_Down →", "next step"},
+    {"Page_Up ←", "previous step"},
+    {"Home", "the step again, as the lesson has it"},
+    {"1 2 3 4", "answer a question"},
+    {"B W M", "presenting: black, white, next monitor"},
 };
 
 constexpr float kKeysWidth = 128.0f, kColumnWidth = 376.0f;
@@ -120,6 +137,8 @@ void draw_help(const Look& look, const PixelRect& picture, bool& open) {
     block(look, "Rules and views", kRulesKeys);
     ImGui::Dummy({0, look.px(8)});
     block(look, "Working", kWork);
+    ImGui::Dummy({0, look.px(8)});
+    block(look, "Lessons and lectures", kLesson);
     ImGui::EndGroup();
     const bool elsewhere =
         ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow);

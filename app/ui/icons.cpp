@@ -150,6 +150,13 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 col
             pen.path(std::array{ImVec2(0.45f, -0.55f), ImVec2(-0.2f, 0), ImVec2(0.45f, 0.55f)});
             pen.line(-0.5f, -0.55f, -0.5f, 0.55f);
             break;
+        case Icon::Share:
+            pen.circle(-0.55f, 0.0f, 0.24f);
+            pen.circle(0.55f, -0.55f, 0.24f);
+            pen.circle(0.55f, 0.55f, 0.24f);
+            pen.line(-0.33f, -0.11f, 0.33f, -0.44f);
+            pen.line(-0.33f, 0.11f, 0.33f, 0.44f);
+            break;
         case Icon::Next:
             pen.path(std::array{ImVec2(-0.45f, -0.55f), ImVec2(0.2f, 0), ImVec2(-0.45f, 0.55f)});
             pen.line(0.5f, -0.55f, 0.5f, 0.55f);

@@ -29,7 +29,8 @@ enum class Icon {
     Play,
     Pause,
     Previous,
-    Next
+    Next,
+    Share
 };
 
 /// Draws an icon into the square of this side about `centre`, in lines of one weight.

@@ -5,6 +5,7 @@
 #include "ui/error_tab.h"
 #include "ui/file_dialog.h"
 #include "ui/help.h"
+#include "ui/lecture.h"
 #include "ui/maps_tab.h"
 #include "ui/messages.h"
 #include "ui/panel.h"
@@ -31,6 +32,8 @@ struct Interface::State {
     StackTab stack;
     MapsTab maps;
     ErrorTab error;
+    mutable Lecture lecture;  // which remembers what it has measured
+    bool captions = false;    ///< their fonts are in the atlas
     bool panel_shown = true, help = false;
     double wake = std::numeric_limits<double>::infinity();
     double pointer_rested = 0.0;  ///< since when, by ImGui::GetTime
@@ -39,6 +42,8 @@ struct Interface::State {
 
     void watch_the_clock();
     std::vector<SideTab> tabs();
+    /// Not for a room; nor in an exercise, whose answer it would tell.
+    bool shows_panel() const { return panel_shown && !lecture.presenting && !lecture.predict.running(); }
     /// How much of the framebuffer's width the open tab takes.
     int side_width(int framebuffer) const;
 };
@@ -78,7 +83,7 @@ void Interface::State::watch_the_clock() {
     if (ImGui::IsAnyItemHovered() && now - pointer_rested < tooltips) wake = std::min(wake, 0.1);
     if (now - popups_changed < 0.3) wake = std::min(wake, 1.0 / 30.0);
     if (letters.pending()) wake = 0.0;
-    if (stack.player.playing) wake = 0.0;
+    if (stack.player.playing || lecture.moving()) wake = 0.0;
     wake = std::min(wake, panel.formula.redraw_after());
     if (panel.gallery.previews.needs_room()) wake = 0.0;
     if (panel.gallery.previews.busy()) wake = std::min(wake, 0.1);
@@ -98,7 +103,7 @@ std::vector<SideTab> Interface::State::tabs() {
 }
 
 int Interface::State::side_width(int framebuffer) const {
-    if (!side.open) return 0;
+    if (!side.open || lecture.predict.running()) return 0;
     return std::min(static_cast<int>(look.px(side.open == kDerivation ? kDerivationWidth : kSideWidth)), framebuffer);
 }
 
@@ -119,19 +124,27 @@ bool Interface::prepare(Theme theme, float scale) {
     }
     if (scaled || theme != look.theme) set_style(look, theme, scale);
     Previews& previews = state_->panel.gallery.previews;
-    if (!scaled && !state_->letters.pending() && !previews.needs_room()) return previews.update(*ImGui::GetIO().Fonts);
-    look.fonts = build_fonts(scale, state_->letters, &previews);
+    const bool captions = state_->lecture.talks();
+    if (!scaled && !state_->letters.pending() && !previews.needs_room() && captions == state_->captions)
+        return previews.update(*ImGui::GetIO().Fonts);
+    state_->captions = captions;
+    look.fonts = build_fonts(scale, state_->letters, &previews, captions);
     state_->derivation.forget_layout();
+    state_->lecture.forget_layout();
     return true;
 }
 
 PixelRect Interface::picture(glm::ivec2 framebuffer) const {
-    const int panel = state_->panel_shown ? static_cast<int>(state_->look.px(kPanelWidth)) : 0;
+    const bool with_panel = state_->shows_panel();
+    const int panel = with_panel ? static_cast<int>(state_->look.px(kPanelWidth)) : 0;
     // In a window hardly wider than the panels, they cover part of the picture rather than all of it.
     const int left = framebuffer.x - panel >= panel / 4 ? panel : 0;
     const int side = state_->side_width(framebuffer.x);
     const int right = framebuffer.x - left - side >= static_cast<int>(state_->look.px(kNarrowestPicture)) ? side : 0;
-    return {{left, 0}, {std::max(framebuffer.x - left - right, 1), std::max(framebuffer.y, 1)}};
+    const int width = std::max(framebuffer.x - left - right, 1);
+    const auto below = static_cast<int>(
+        state_->lecture.strip_height(state_->look, static_cast<float>(width), static_cast<float>(framebuffer.y)));
+    return {{left, 0}, {width, std::max(framebuffer.y - below, 1)}};
 }
 
 Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status) {
@@ -140,7 +153,11 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     std::vector<StackEntry> before = scene.stack;
     draw_words(frame);
     const std::vector<SideTab> tabs = s.tabs();
-    if (s.panel_shown)
+    if (const auto tab = s.lecture.wanted_tab()) show_tab(*tab);
+    const auto strip_top = static_cast<float>(frame.rect.origin.y + frame.rect.size.y);
+    s.lecture.draw(s.look, scene, {static_cast<float>(frame.rect.origin.x), strip_top},
+                   {static_cast<float>(frame.rect.size.x), ImGui::GetIO().DisplaySize.y - strip_top});
+    if (s.shows_panel())
         draw_panel(scene, s.panel,
                    {.look = s.look,
                     .frame = frame,
@@ -150,8 +167,9 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
                     .tabs = tabs,
                     .side = s.side,
                     .help = s.help});
-    draw_side_panel(scene, tabs, s.side, {.look = s.look, .frame = frame, .status = status},
-                    static_cast<float>(s.side_width(static_cast<int>(ImGui::GetIO().DisplaySize.x))));
+    if (!s.lecture.predict.running())
+        draw_side_panel(scene, tabs, s.side, {.look = s.look, .frame = frame, .status = status},
+                        static_cast<float>(s.side_width(static_cast<int>(ImGui::GetIO().DisplaySize.x))));
     if (!ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive() && !s.dialog.is_open() && !ImGui::GetIO().KeyMods &&
         ImGui::IsKeyPressed(ImGuiKey_D, false))
         show_derivation(!derivation_shown());
@@ -159,14 +177,20 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     const bool help = s.help;
     draw_help(s.look, frame.rect, s.help);
     s.dialog.draw(s.look, s.letters, requests);
-    if (!help && !s.dialog.is_open() && !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGuiKey_Escape, false))
-        s.messages.dismiss();
+    if (!help && !s.dialog.is_open() && !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGuiKey_Escape, false) &&
+        !s.messages.dismiss()) {
+        if (s.lecture.presenting)
+            requests.end_presenting = true;
+        else
+            s.lecture.leave();
+    }
     if (scene.stack != before) undo_overflow(scene, before, s.messages);
-    s.derivation.draw(s.look, scene, frame, derivation_shown(), s.look.px(kTabsHeight));
+    s.derivation.draw(s.look, scene, frame, derivation_shown() && !s.lecture.predict.running(), s.look.px(kTabsHeight));
     s.letters.want(s.messages.text(), s.look.fonts.body);
     s.letters.want(status.file, s.look.fonts.body);
     s.letters.want(s.panel.formula.draft.text, s.look.fonts.body);
     s.messages.draw(s.look, frame);
+    s.lecture.draw_screen(s.look);
     s.watch_the_clock();
     return requests;
 }
@@ -195,7 +219,44 @@ bool Interface::show_tab(std::string_view id) {
     return true;
 }
 std::span<const std::string_view> Interface::tabs() { return kTabIds; }
-bool Interface::playing() const { return state_->stack.player.playing; }
+bool Interface::playing() const { return state_->stack.player.playing || state_->lecture.moving(); }
+
+void Interface::open_lesson(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::optional<std::size_t> step) {
+    state_->lecture.start(std::move(lesson), scene, step);
+}
+void Interface::record_lesson(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::size_t step) {
+    state_->lecture.recorded = state_->lecture.presenting = true;
+    open_lesson(std::move(lesson), scene, step);
+    if (const auto tab = state_->lecture.wanted_tab()) show_tab(*tab);
+}
+bool Interface::press(LectureKey key, Scene& scene, const Frame* frame) {
+    return state_->lecture.press(key, scene, frame);
+}
+void Interface::start_exercises(std::uint64_t seed, Scene& scene) { state_->lecture.start_exercises(seed, scene); }
+void Interface::add_to(Frame& frame, const Scene& scene, double pixel_scale) const {
+    state_->lecture.predict.add_to(frame, scene, pixel_scale);
+}
+bool Interface::grab(const Frame& frame, const Scene& scene, double pixel_scale, glm::dvec2 pixel) {
+    return state_->lecture.predict.grab(frame, scene, pixel_scale, pixel);
+}
+bool Interface::drag(const Frame& frame, const Scene& scene, double pixel_scale, glm::dvec2 pixel) {
+    state_->lecture.predict.drag(frame, scene, pixel_scale, pixel);
+    return state_->lecture.predict.dragging();
+}
+bool Interface::release() { return state_->lecture.predict.release(); }
+std::optional<Vector<World>> Interface::guess() const {
+    if (!state_->lecture.predict.running()) return std::nullopt;
+    return state_->lecture.predict.guess();
+}
+bool Interface::end_blank() { return state_->lecture.end_blank(); }
+bool Interface::keys_are_free() const {
+    const ImGuiIO& io = ImGui::GetIO();
+    return !io.WantTextInput && !io.NavVisible && !ImGui::IsAnyItemActive() && !state_->dialog.is_open();
+}
+std::map<std::string, std::size_t>& Interface::lesson_progress() { return state_->lecture.progress; }
+
+void Interface::present(bool presenting) { state_->lecture.present(presenting); }
+bool Interface::presenting() const { return state_->lecture.presenting; }
 
 void Interface::edit_formula(Scene& scene) {
     if (!std::holds_alternative<FormulaSurface>(scene.surface)) scene.surface = state_->panel.formula.last;

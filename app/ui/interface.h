@@ -2,9 +2,12 @@
 
 #include "core/frame.h"
 #include "core/highlight.h"
+#include "core/lesson.h"
 #include "core/scene.h"
+#include "ui/lecture_key.h"
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,7 +22,9 @@ struct Requests {
     bool step = false;  ///< what the scene is now is one step to undo, though the editing goes on
     bool full_screen = false, quit = false;
     bool copy_command = false;  ///< the command line that captures what is shown
-    std::optional<std::string> open;       ///< a scene, a mesh, or a built-in scene's name
+    bool end_presenting = false;
+    bool copy_link = false, copy_equations = false;
+    std::optional<std::string> open;       ///< a scene, a mesh, a lesson, or the name of a built-in one
     std::optional<std::string> open_mesh;  ///< a mesh as the scene's surface, all else kept
     std::optional<std::filesystem::path> save_scene;
     std::optional<std::filesystem::path> save_picture;
@@ -45,7 +50,7 @@ public:
     /// is made anew where the scale changed or letters are missing; true says so, and that the backend must upload it again.
     bool prepare(Theme theme, float scale);
 
-    /// Where the picture goes in a framebuffer of this size: what the panels leave.
+    /// Where the picture goes in a framebuffer of this size: what the panels, and the strip of words below, leave.
     PixelRect picture(glm::ivec2 framebuffer) const;
 
     /// Between ImGui::NewFrame and ImGui::Render: draws everything over `frame` and edits the scene.
@@ -74,11 +79,39 @@ public:
     bool show_tab(std::string_view id);
     /// The names that show_tab knows.
     static std::span<const std::string_view> tabs();
-    /// While the stack is being played the scene changes by itself: what it goes through is nothing to be undone.
+    /// While the stack or a lesson is being played the scene changes by itself: what it goes through is nothing to be
+    /// undone.
     bool playing() const;
 
     /// The formula's field gets the keyboard; another surface gives way to a formula.
     void edit_formula(Scene& scene);
+    /// Goes through a lesson, from `step` or from where it was left.
+    void open_lesson(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::optional<std::size_t> step = {});
+    /// The same for a picture of a step: nothing moves, and there is nothing to press.
+    void record_lesson(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::size_t step);
+    /// Whether the key is for the lesson or the lecturer now. If so it has done what it asks for.
+    bool press(LectureKey key, Scene& scene, const Frame* frame);
+    /// "Where does this normal go?": endless exercises from a seed.
+    void start_exercises(std::uint64_t seed, Scene& scene);
+    /// What the interface itself draws into the picture: the arrow that is dragged in an exercise. A press on that takes
+    /// what the pointer does from then on, until the release.
+    void add_to(Frame& frame, const Scene& scene, double pixel_scale) const;
+    bool grab(const Frame& frame, const Scene& scene, double pixel_scale, glm::dvec2 pixel);
+    bool drag(const Frame& frame, const Scene& scene, double pixel_scale, glm::dvec2 pixel);
+    bool release();
+    /// What it draws there now: another value, another picture.
+    std::optional<Vector<World>> guess() const;
+    /// Shows the picture again, where the screen is black or white; false where it is not.
+    bool end_blank();
+    /// Keys mean something else while somebody writes, or moves about the panel by keyboard.
+    bool keys_are_free() const;
+    /// The step at which each lesson was left.
+    std::map<std::string, std::size_t>& lesson_progress();
+
+    /// For a room: no panel, words below the picture. Whoever switches it must make all larger, too.
+    void present(bool presenting);
+    bool presenting() const;
+
     void toggle_help();
     void toggle_panel();
     bool panel_shown() const;

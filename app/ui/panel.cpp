@@ -1,5 +1,6 @@
 #include "ui/panel.h"
 
+#include "core/lesson.h"
 #include "ui/panel_memory.h"
 #include "ui/widgets.h"
 
@@ -18,10 +19,24 @@ void scene_menu(PanelMemory& memory, const PanelContext& context, float width) {
     const std::string& file = context.status.file;
     if (!begin_combo(look, "##scenes", file.empty() ? "scenes" : std::filesystem::path(file).filename().string(),
                      width)) {
-        tip(look, "Built-in scenes to start from.");
+        tip(look, "Lessons, and built-in scenes to start from.");
         return;
     }
     if (memory.scenes.empty()) memory.scenes = built_in_scenes();
+    ImGui::PushFont(look.fonts.small);
+    dim_text(look, "Lessons");
+    ImGui::PopFont();
+    for (const BuiltInLesson& lesson : built_in_lessons()) {
+        if (ImGui::Selectable(lesson.title.c_str(), lesson.name == file)) context.requests.open = lesson.name;
+        tip(look, lesson.about.c_str());
+    }
+    if (ImGui::Selectable("Exercises: where does this normal go?", file.starts_with("exercises")))
+        context.requests.open = "exercises";
+    tip(look, "Predict, then see: endless exercises from easy to hard.");
+    ImGui::Separator();
+    ImGui::PushFont(look.fonts.small);
+    dim_text(look, "Scenes");
+    ImGui::PopFont();
     const auto group = [](const BuiltInScene& scene) {
         return scene.name.starts_with("bug-") ? 2 : scene.name.starts_with(kGalleryPrefix) ? 1 : 0;
     };
@@ -42,11 +57,22 @@ void scene_menu(PanelMemory& memory, const PanelContext& context, float width) {
     ImGui::EndCombo();
 }
 
+void share_menu(const PanelContext& context) {
+    const Look& look = context.look;
+    if (icon_button(look, "##share", Icon::Share, "Share: a link, or the equations as LaTeX", true, kIconSide))
+        ImGui::OpenPopup("##sharing");
+    if (!ImGui::BeginPopup("##sharing")) return;
+    if (ImGui::MenuItem("Copy link", "Ctrl+L")) context.requests.copy_link = true;
+    tip(look, "The whole scene as one line of text: whoever pastes it with Ctrl+V sees what you see.");
+    if (ImGui::MenuItem("Copy equations as LaTeX", "Ctrl+Shift+L")) context.requests.copy_equations = true;
+    ImGui::EndPopup();
+}
+
 }  // namespace
 
 void toolbar(Scene& scene, PanelMemory& memory, const PanelContext& context) {
     const Look& look = context.look;
-    constexpr int kIcons = 7;
+    constexpr int kIcons = 8;
     const float side = look.px(kIconSide), gap = look.px(2);
     scene_menu(memory, context, ImGui::GetContentRegionAvail().x - kIcons * (side + gap) - look.px(4));
     ImGui::SameLine(0, look.px(4) + gap);
@@ -59,16 +85,18 @@ void toolbar(Scene& scene, PanelMemory& memory, const PanelContext& context) {
     if (icon_button(look, "##picture", Icon::Picture, "Save the picture… (Ctrl+P)", true, kIconSide))
         context.dialog.open(FileDialog::For::SavePicture);
     ImGui::SameLine(0, gap);
+    share_menu(context);
+    ImGui::SameLine(0, gap);
     if (icon_button(look, "##undo", Icon::Undo, "Undo (Ctrl+Z)", context.status.can_undo, kIconSide))
         context.requests.undo = true;
     ImGui::SameLine(0, gap);
     if (icon_button(look, "##redo", Icon::Redo, "Redo (Ctrl+Shift+Z)", context.status.can_redo, kIconSide))
         context.requests.redo = true;
     ImGui::SameLine(0, gap);
-    const bool dark = scene.theme == Theme::Dark;
+    const bool dark = is_dark(scene.theme);
     if (icon_button(look, "##theme", dark ? Icon::Sun : Icon::Moon, dark ? "Light theme (T)" : "Dark theme (T)", true,
                     kIconSide))
-        scene.theme = dark ? Theme::Light : Theme::Dark;
+        scene.theme = toggled(scene.theme);
     ImGui::SameLine(0, gap);
     if (icon_button(look, "##help", Icon::Help, "Mouse and keys (F1)", true, kIconSide)) context.help = !context.help;
 }

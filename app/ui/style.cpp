@@ -10,11 +10,17 @@ namespace normalscope {
 
 namespace {
 
+// Text between black and white, opaque.
+ImVec4 faded_to(const ImVec4& text, float share) {
+    const float v = text.x > 0.5f ? share : 1.0f - share;
+    return {v, v, v, 1.0f};
+}
+
 void set_colors(Look& look) {
     const auto hex = [](unsigned v) { return to_imgui(rgb(v)); };
     const ThemeColors theme = theme_colors(look.theme);
     look.text = to_imgui(theme.text);
-    if (look.theme == Theme::Dark) {
+    if (is_dark(look.theme)) {
         look.dim = hex(0x9AA1AB);
         look.panel = hex(0x1F2227);
         look.card = hex(0x282C32);
@@ -35,6 +41,14 @@ void set_colors(Look& look) {
         look.good = hex(0x007A59);
         look.bad = hex(0xB84A00);
     }
+    if (!has_contrast(look.theme)) return;
+    look.dim = faded_to(look.text, is_dark(look.theme) ? 0.82f : 0.72f);
+    look.panel = is_dark(look.theme) ? hex(0x000000) : hex(0xFFFFFF);
+    look.card = is_dark(look.theme) ? hex(0x101214) : hex(0xFFFFFF);
+    look.field = is_dark(look.theme) ? hex(0x2A2E33) : hex(0xE2E4E6);
+    look.line = is_dark(look.theme) ? hex(0x7A828C) : hex(0x80868C);
+    look.accent = look.text;
+    look.on_accent = look.panel;
 }
 
 void color_widgets(const Look& look, ImVec4* c) {
@@ -72,8 +86,9 @@ void color_widgets(const Look& look, ImVec4* c) {
 float Look::px(float logical) const { return std::round(logical * scale); }
 
 ImVec4 Look::readable(const glm::vec3& color) const {
-    const glm::vec3 toward = theme == Theme::Dark ? glm::vec3(1.0f) : glm::vec3(0.0f);
-    return to_imgui(glm::mix(color, toward, theme == Theme::Dark ? 0.25f : 0.22f));
+    const glm::vec3 toward = is_dark(theme) ? glm::vec3(1.0f) : glm::vec3(0.0f);
+    const float more = has_contrast(theme) ? 0.18f : 0.0f;
+    return to_imgui(glm::mix(color, toward, (is_dark(theme) ? 0.25f : 0.22f) + more));
 }
 ImVec4 Look::readable(Rule rule) const { return readable(rule_color(rule)); }
 

@@ -94,7 +94,7 @@ public:
         const ImVec2 high(low.x + static_cast<float>(pane.rect.size.x) - look_.px(8) - size.x,
                           low.y + static_cast<float>(pane.rect.size.y) - look_.px(8) - size.y);
         at = {std::clamp(at.x, low.x, std::max(low.x, high.x)), std::clamp(at.y, low.y, std::max(low.y, high.y))};
-        const bool dark = look_.theme == Theme::Dark;  // the palette's deeper colours drown in it
+        const bool dark = is_dark(look_.theme);  // the palette's deeper colours drown in it
         haloed(font, at, dark ? glm::mix(label.color, colors_.text, 0.3f) : label.color, label.text);
     }
 

@@ -118,5 +118,32 @@ def colours(picture):
     return len(set(zlib.decompress(data)))
 
 
+def png_pixels(picture):
+    """Rows of RGBA pixels, of a PNG with 8 bits a channel in RGB or RGBA."""
+    data, at = b"", 8
+    while at < len(picture):
+        size, name = struct.unpack(">I4s", picture[at:at + 8])
+        content = picture[at + 8:at + 8 + size]
+        if name == b"IHDR":
+            width, height, depth, kind = struct.unpack(">IIBB", content[:10])
+        if name == b"IDAT":
+            data += content
+        at += 12 + size
+    assert depth == 8 and kind in (2, 6)
+    channels = 3 if kind == 2 else 4
+    data, stride, rows, above = zlib.decompress(data), channels * width, [], bytes(channels * width)
+    for y in range(height):
+        kind_of_row, row = data[y * (stride + 1)], bytearray(data[y * (stride + 1) + 1:(y + 1) * (stride + 1)])
+        for i in range(stride):
+            a = row[i - channels] if i >= channels else 0
+            b, c = above[i], above[i - channels] if i >= channels else 0
+            p = a + b - c
+            paeth = min((a, b, c), key=lambda v: abs(p - v))  # the first of equals, as PNG wants it
+            row[i] = (row[i] + (0, a, b, (a + b) // 2, paeth)[kind_of_row]) & 255
+        rows.append([(*row[x:x + 3], row[x + 3] if channels == 4 else 255) for x in range(0, stride, channels)])
+        above = bytes(row)
+    return rows
+
+
 def words(text):
     return re.split(r"\s+", text.strip())

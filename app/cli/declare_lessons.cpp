@@ -1,0 +1,77 @@
+#include "cli/declare.h"
+
+#include "cli/values.h"
+
+#include <memory>
+
+namespace normalscope {
+
+Declared declare_lessons(CLI::App& root) {
+    CLI::App& app = *root.add_subcommand("lessons", "List the built-in lessons");
+    set_up(app,
+           "  normalscope lessons\n"
+           "  normalscope 1-normal-as-a-point                       the window, in this lesson\n"
+           "  normalscope capture '1-normal-as-a-point#3' -o 3.png  what its third step shows");
+    return {&app, [] { return LessonsCommand{}; }};
+}
+
+Declared declare_handout(CLI::App& root) {
+    struct Given {
+        HandoutCommand command;
+        std::string output, size{text_of(command.size)}, context{"auto"};
+    };
+    const auto given = std::make_shared<Given>();
+    CLI::App& app = *root.add_subcommand("handout", "Write a lesson as one page to print or send");
+    set_up(app,
+           "  normalscope handout 4-derivation -o derivation.html\n"
+           "  normalscope handout mine.json -o mine.html --size 1280x800");
+    add(app, "LESSON", given->command.lesson, "",
+        "A lesson: its file (.json) or a built-in one's name (see normalscope lessons)")
+        .required();
+    add(app, "-o,--output", given->output, "OUT.html", "The page to write, pictures included; - is standard output")
+        .required();
+    add(app, "--size", given->size, "WIDTHxHEIGHT", "Of each picture, in pixels");
+    add_context(app, given->context);
+    return {&app, [given] {
+                HandoutCommand command = given->command;
+                command.output = parse_output("--output", given->output);
+                command.size = parse_size("--size", given->size);
+                command.context = parse_context("--context", given->context);
+                return command;
+            }};
+}
+
+Declared declare_animate(CLI::App& root) {
+    struct Given {
+        AnimateCommand command;
+        std::string output, size{text_of(command.size)}, context{"auto"},
+            fps = std::to_string(command.frames_per_second), seconds{"4"};
+    };
+    const auto given = std::make_shared<Given>();
+    CLI::App& app = *root.add_subcommand("animate", "Draw a lesson as a video, with its captions");
+    set_up(app,
+           "  normalscope animate 1-normal-as-a-point -o lesson.mp4\n"
+           "  normalscope animate mine.json -o frames/ --size 640x360 --fps 10");
+    add(app, "LESSON", given->command.lesson, "",
+        "A lesson: its file (.json) or a built-in one's name (see normalscope lessons)")
+        .required();
+    add(app, "-o,--output", given->output, "OUT",
+        "With ffmpeg installed, a .gif, .mp4 or .webm; or frame-%06d.png, where %06d becomes the picture's number; or "
+        "a folder")
+        .required();
+    add(app, "--size", given->size, "WIDTHxHEIGHT", "In pixels");
+    add(app, "--fps", given->fps, "N", "Pictures a second");
+    add(app, "--seconds", given->seconds, "N", "How long each step stands still, 1 to 60");
+    add_context(app, given->context);
+    return {&app, [given] {
+                AnimateCommand command = given->command;
+                command.output = parse_numbered_output("--output", given->output, 2, false);
+                command.size = parse_size("--size", given->size);
+                command.context = parse_context("--context", given->context);
+                command.frames_per_second = parse_count("--fps", given->fps, 60);
+                command.seconds = parse_count("--seconds", given->seconds, 60);
+                return command;
+            }};
+}
+
+}  // namespace normalscope

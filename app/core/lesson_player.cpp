@@ -1,0 +1,64 @@
+#include "core/lesson_player.h"
+
+#include "core/error.h"
+#include "core/scene_blend.h"
+
+#include <algorithm>
+
+namespace normalscope {
+
+namespace {
+
+// Begins and ends gently.
+double eased(double t) { return t * t * (3.0 - 2.0 * t); }
+
+}  // namespace
+
+Scene LessonPlayer::target(const Scene& scene) const {
+    Scene step_scene = step().scene;
+    step_scene.theme = scene.theme;
+    return step_scene;
+}
+
+void LessonPlayer::start(std::shared_ptr<const Lesson> lesson, std::size_t step, const Scene& scene) {
+    lesson_ = std::move(lesson);
+    answers_.assign(lesson_->steps.size(), std::nullopt);
+    go_to(std::min(step, lesson_->steps.size() - 1), scene);
+}
+
+void LessonPlayer::go_to(std::size_t step, const Scene& scene) {
+    if (!running() || step >= lesson_->steps.size()) return;
+    step_ = step;
+    way_ = Way{scene, scene, 0.0};
+}
+
+void LessonPlayer::advance(double seconds, Scene& scene) {
+    if (!way_) return;
+    if (!(scene == way_->shown)) {
+        way_.reset();
+        return;
+    }
+    way_->seconds += seconds;
+    if (way_->seconds >= kSeconds) return arrive(scene);
+    Scene next = blend(way_->from, target(scene), eased(way_->seconds / kSeconds));
+    try {
+        (void)world_from_object(next);
+    } catch (const InputError&) {  // two scenes are possible, and what lies between them is not
+        return arrive(scene);
+    }
+    scene = way_->shown = std::move(next);
+}
+
+void LessonPlayer::arrive(Scene& scene) {
+    if (!way_) return;
+    scene = target(scene);
+    way_.reset();
+}
+
+bool LessonPlayer::strayed(const Scene& scene) const { return running() && !moving() && !(scene == target(scene)); }
+
+void LessonPlayer::choose(std::size_t choice) {
+    if (running() && step().question && choice < step().question->choices.size()) answers_[step_] = choice;
+}
+
+}  // namespace normalscope

@@ -1,0 +1,27 @@
+#include "display_scale.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace normalscope {
+
+namespace {
+
+constexpr double kStep = 1.1, kSmallest = 0.6, kLargest = 3.0;
+constexpr double kSmallestWords = 13.0, kPresented = 28.0;
+
+}  // namespace
+
+void DisplayScale::change(bool presenting, int steps) {
+    double& factor = presenting ? presenter : interface;
+    factor = steps == 0 ? 1.0 : std::clamp(factor * std::pow(kStep, steps), kSmallest, kLargest);
+    if (std::abs(factor - 1.0) < 1e-6) factor = 1.0;
+}
+
+float DisplayScale::of(float desktop, glm::ivec2 framebuffer, bool presenting) const {
+    if (!presenting) return static_cast<float>(desktop * interface);
+    const double share = std::min(framebuffer.x / 1920.0, framebuffer.y / 1080.0);
+    return static_cast<float>(std::max(kPresented / kSmallestWords * share, 0.6) * presenter);
+}
+
+}  // namespace normalscope

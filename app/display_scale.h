@@ -1,0 +1,19 @@
+#pragma once
+
+#include <glm/vec2.hpp>
+
+namespace normalscope {
+
+/// How large everything is drawn: as the desktop has it, as the user likes it, and in a lecture as the last row needs it.
+struct DisplayScale {
+    double interface = 1.0;  ///< the user's own factor, for low vision
+    double presenter = 1.0;  ///< the same in presenter mode
+
+    /// One step larger (+1) or smaller (−1), or back to 1 (0).
+    void change(bool presenting, int steps);
+    /// Physical pixels per logical one. In presenter mode the smallest words, of 13 logical pixels, are 28 pixels high
+    /// where the picture is 1080 high, and keep their share of it otherwise.
+    float of(float desktop, glm::ivec2 framebuffer, bool presenting) const;
+};
+
+}  // namespace normalscope

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace normalscope {
+
+/// The pattern with the picture's number in the place of "%03d"; where there are two such places, its row's and its
+/// column's.
+std::filesystem::path numbered(const std::string& pattern, std::size_t i, std::size_t columns = 1);
+
+}  // namespace normalscope

@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+"""Figures for slides and papers: SVG, and pictures without a ground."""
+
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+from support import CommandTest, png_pixels
+
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+class FiguresTest(CommandTest):
+    def svg(self, *arguments):
+        out = self.folder / "out.svg"
+        self.assert_done("capture", *arguments, "-o", out)
+        return out.read_bytes()
+
+    def test_the_default_scene_is_small_and_sharp(self):
+        text = self.svg()
+        self.assertLess(len(text), 1 << 20)
+        root = ElementTree.fromstring(text)
+        self.assertFalse(list(root.iter(f"{SVG}image")))
+        words = {word.text for word in root.iter(f"{SVG}text")}
+        self.assertLessEqual({"x", "y", "z", "naive  M n", "inverse transpose  (M⁻¹)ᵀ n"}, words)
+        self.assertTrue(any(word.endswith("°") for word in words))  # the angle between both
+        colours = {path.get("stroke") for path in root.iter(f"{SVG}path")} | {path.get("fill") for path in root.iter(f"{SVG}path")}
+        self.assertLessEqual({"#d55e00", "#009e73", "#0072b2"}, colours)
+
+    def test_every_kind_of_surface(self):
+        for scene in ("split", "reflection", "flattened", "implicit-torus", "identity"):
+            root = ElementTree.fromstring(self.svg(scene, "--ground", "transparent"))
+            self.assertGreater(len(list(root.iter(f"{SVG}path"))), 3, scene)
+            self.assertFalse([rect for rect in root.findall(f"{SVG}rect") if rect.get("width") == "100%"])
+
+    def test_pixels_only(self):
+        self.assert_fails(2, "capture", "-o", self.folder / "a.svg", "--panel", says=("--panel", ".png"))
+
+    def test_grounds(self):
+        for ground, corner in (("white", (255, 255, 255, 255)), ("transparent", (0, 0, 0, 0))):
+            out = self.folder / f"{ground}.png"
+            self.assert_done("capture", "identity", "-o", out, "--size", "160x120", "--ground", ground,
+                             "--set", "show.legend=false", "--set", "arrows.show=[]")
+            pixels = png_pixels(out.read_bytes())
+            self.assertEqual(pixels[0][0], corner)
+            self.assertEqual(pixels[60][80][3], 255)
+        self.assert_fails(2, "capture", "-o", out, "--ground", "grey", says=("transparent",))
+
+
+if __name__ == "__main__":
+    unittest.main()
