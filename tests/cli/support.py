@@ -58,7 +58,7 @@ class CommandTest(unittest.TestCase):
         self.assertEqual(done.returncode, code, (arguments, line))
         self.assertEqual(done.stdout or b"", b"", arguments)
         self.assertRegex(line, r"\Anormalscope: [^\n]+\n\Z", arguments)
-        self.assertLess(len(line), 500, arguments)
+        self.assertLess(len(line), 600, arguments)
         for word in says if isinstance(says, tuple) else (says,):
             self.assertIn(str(word), line)
         # What does not exist is said in words; only what the user wrote may be repeated.
