@@ -124,7 +124,12 @@ private:
                 elements_.push_back({std::string(element.substr(0, 40)), *count, {}});
             } else if (key == "property") {
                 if (elements_.empty()) fail("its header has a property before any element");
-                elements_.back().properties.push_back(property(*text));
+                Property added = property(*text);
+                if (elements_.back().has(added.name)) fail("its header has a property twice");
+                elements_.back().properties.push_back(std::move(added));
+            } else if (!key.empty() && key != "comment" && key != "obj_info") {
+                // assimp could take it for something, and then read counts of billions where there are none.
+                fail("its header has an unknown line");
             }
         }
         fail("its header does not end");

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <random>
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 using namespace normalscope;
@@ -24,7 +25,8 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
 namespace {
 
 constexpr std::size_t kLongest = 1 << 16;
-constexpr unsigned kMostSeconds = 20;  // for one input, on a busy machine and with sanitizers
+constexpr unsigned kMostSeconds = 20;            // for one input, on a busy machine and with sanitizers
+constexpr rlim_t kMostMemory = rlim_t{2} << 30;  // no input of kLongest bytes may need more
 
 std::string current;
 
@@ -91,6 +93,10 @@ private:
 int main(int argc, char** argv) {
     if (argc < 3) return std::fputs("usage: FUZZER FOLDER SECONDS [SEED]\n", stderr), 2;
     for (const int number : {SIGABRT, SIGSEGV, SIGFPE, SIGALRM}) std::signal(number, keep_input);
+#ifndef __SANITIZE_ADDRESS__  // which reserves terabytes
+    const rlimit memory{kMostMemory, kMostMemory};
+    ::setrlimit(RLIMIT_AS, &memory);
+#endif
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(argv[1])) files.push_back(entry.path());
     std::ranges::sort(files);
