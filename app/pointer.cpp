@@ -39,6 +39,13 @@ void Pointer::press(const Scene& scene, const Frame& frame, PointerButton button
             grab_offset_ = handle->factor - factor_at(*handle, pane->view, in_pane).value_or(handle->factor);
             return;
         }
+    if (const auto knob =
+            knob_at(knobs(scene, world_from_object(scene), pane->view), pane->view, in_pane, kKnobReach * scale)) {
+        drag_ = Drag::Knob;
+        knob_ = knob;
+        knob_offset_ = glm::dvec2(pane->view.pixel(knob->at)) - in_pane;
+        return;
+    }
     if (button.shift) drag_ = Drag::Light;
 }
 
@@ -81,6 +88,9 @@ void Pointer::move(Scene& scene, const Frame& frame, glm::dvec2 pixel, float sca
             if (const auto factor = factor_at(*handle_, pane->view, at_ - glm::dvec2(pane->rect.origin)))
                 scene = stretched(scene_at_press_, *handle_, *factor + grab_offset_, uniform_);
             break;
+        case Drag::Knob:
+            scene = dragged(scene_at_press_, *knob_, pane->view, at_ - glm::dvec2(pane->rect.origin) + knob_offset_);
+            break;
         case Drag::None: break;
     }
 }
@@ -92,6 +102,7 @@ void Pointer::release(Scene& scene, const Frame& frame, float scale) {
     }
     drag_ = Drag::None;
     handle_.reset();
+    knob_.reset();
 }
 
 void Pointer::scroll(Scene& scene, double steps) {

@@ -2,6 +2,7 @@
 
 #include "core/axis_handles.h"
 #include "core/frame.h"
+#include "core/knobs.h"
 #include "core/scene.h"
 
 #include <optional>
@@ -13,7 +14,7 @@ struct PointerButton {
     bool shift = false;
 };
 
-/// The mouse on the picture: orbit, pan, zoom, the light, the axis handles, and a click that places the probe.
+/// The mouse on the picture: orbit, pan, zoom, the light, the axis handles and the other knobs, and a click that places the probe.
 /// Pixels are the framebuffer's; `scale` is physical pixels per logical one.
 class Pointer {
 public:
@@ -30,7 +31,7 @@ public:
     std::optional<int> hot_axis() const { return hot_axis_; }
 
 private:
-    enum class Drag { None, Orbit, Pan, Light, Handle };
+    enum class Drag { None, Orbit, Pan, Light, Handle, Knob };
 
     Drag drag_ = Drag::None;
     glm::dvec2 at_{0.0}, pressed_at_{0.0};
@@ -40,6 +41,8 @@ private:
     std::optional<int> hot_axis_;
     std::optional<AxisHandle> handle_;  // as it was when grabbed
     double grab_offset_ = 0.0;
+    std::optional<Knob> knob_;     // as it was when grabbed
+    glm::dvec2 knob_offset_{0.0};  // from the pointer to it, in pixels
     Scene scene_at_press_;
 };
 

@@ -102,6 +102,7 @@ private:
     Gui gui_{Gui::Brush::Gl, window_.handle()};
     std::optional<Target> target_, rough_target_;  // the latter while a formula's surface moves
     std::unique_ptr<SurfaceCache> surfaces_ = std::make_unique<SurfaceCache>();
+    LevelSetsCache level_sets_;
 
     Scene scene_;
     History history_;
@@ -310,15 +311,16 @@ void Viewer::on_key(int key, int modifiers) {
 }
 
 Frame Viewer::frame_now(bool handles) {
-    std::shared_ptr<const Surface> surface;
     const auto make = [&] {
-        Frame frame = make_frame(shown_scene(), surfaces_->get(scene_),
+        const std::shared_ptr<const Surface> surface = surfaces_->get(scene_);
+        Frame frame = make_frame(shown_scene(), surface,
                                  {.rect = gui_.interface.picture(window_.framebuffer_size()),
                                   .pixel_scale = scale(),
                                   .hot_axis = pointer_.hot_axis(),
                                   .highlight = gui_.interface.highlighted(),
                                   .handles = handles,
-                                  .draft = handles && (pointer_.busy() || gui_.moving())});
+                                  .draft = handles && (pointer_.busy() || gui_.moving()),
+                                  .level_sets = level_sets_.get(scene_, surface->implicit)});
         gui_.interface.add_to(frame, scene_, scale());
         return frame;
     };

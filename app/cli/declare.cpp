@@ -70,7 +70,7 @@ void GivenPicture::add_to(CLI::App& app, PictureArguments& arguments) {
     add_context(app, context);
     app.add_flag("--panel", arguments.panel, "Draw the interface too");
     add(app, "--tab", arguments.tab, "NAME",
-        "Draw the interface, with a tab open beside the picture: derivation, stack, maps or error");
+        "Draw the interface, with a tab open beside the picture: derivation, stack, maps, error or ray");
     app.add_flag("--captions", arguments.captions, "Draw what a lesson's step says below the picture: with NAME#n");
     add_settings(app, arguments.settings);
 }

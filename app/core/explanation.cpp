@@ -75,6 +75,11 @@ std::vector<std::string> notes(const Scene& scene, const Transform<World, Object
             "At the probe ∇f is zero: there is no normal. What follows borrows that of a neighbour on the "
             "surface, " +
             number_text(glm::distance(probe->borrowed_from->xyz, probe->point.xyz), 0.0, 3) + " away.");
+    if (probe && !probe->has_normal())
+        result.emplace_back(
+            "At the probe ∇f is zero or does not exist: there is no normal, and the derivation has no numbers. The "
+            "cheap "
+            "remedy is a neighbour's: set borrow.azimuth.");
     if (!probe)
         result.push_back(
             "The camera sees nothing of the surface" +
@@ -88,7 +93,8 @@ std::string_view name(ExplainFormat format) {
     return kNames.at(static_cast<std::size_t>(format));
 }
 
-Explanation explanation(const Scene& scene, const std::optional<Probe>& probe, std::size_t tangent) {
+Explanation explanation(const Scene& scene, const std::optional<Probe>& any_probe, std::size_t tangent) {
+    const std::optional<Probe> probe = with_normal(any_probe);
     const Transform<World, Object> m = world_from_object(scene);
     const NormalMatrices& matrices = m.normal_matrices_by_rule();
     const std::vector<StackEntry> stack = applied_stack(scene);
@@ -98,7 +104,7 @@ Explanation explanation(const Scene& scene, const std::optional<Probe>& probe, s
     e.m = value_of(m.matrix(), factors);
     e.matrices = matrices;
     e.probe = probe;
-    e.notes = notes(scene, m, probe);
+    e.notes = notes(scene, m, any_probe);
     e.derivation = derivation(m, factors, probe, tangent);
     e.stack = stack_algebra(stack);
     if (!stack.empty()) e.orders = orders_of_inverses(stack, probe);
@@ -113,7 +119,7 @@ std::string explain(const Scene& scene, ExplainFormat format) {
     const Frame frame = make_frame(scene, surfaces.get(scene), {.rect = {{0, 0}, {1280, 720}}});
     Explanation e = explanation(scene, frame.probe ? std::optional(frame.probe->object) : std::nullopt);
     e.implicit = frame.surface->implicit;
-    if (e.probe) e.gradient = gradient_report(*frame.surface, *e.probe);
+    if (frame.probe) e.gradient = gradient_report(*frame.surface, frame.probe->object);
     if (e.implicit && !frame.surface->mesh.note.empty()) e.notes.push_back(frame.surface->mesh.note);
     switch (format) {
         case ExplainFormat::Text: return explanation_text(e);

@@ -2,7 +2,11 @@
 
 #include "core/axis_handles.h"
 #include "core/decomposition_marks.h"
+#include "core/knobs.h"
 #include "core/probe_marks.h"
+#include "core/ray_marks.h"
+#include "core/singular_marks.h"
+#include "core/slice_marks.h"
 #include "core/solids.h"
 #include "core/surface_probe.h"
 
@@ -19,11 +23,6 @@ namespace normalscope {
 namespace {
 
 using WorldFromObject = Transform<World, Object>;
-
-glm::vec3 toward(const Light& light) {
-    const double a = glm::radians(light.azimuth), e = glm::radians(light.elevation);
-    return {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
-}
 
 // Floats reach to 1e38: what M does beyond that cannot be seen anyway.
 template <class M>
@@ -64,12 +63,13 @@ std::vector<Pane> empty_panes(const Scene& scene, const PixelRect& rect) {
 }
 
 void add_surfaces(Pane& pane, const Scene& scene, const Surface& surface, const WorldFromObject& m, bool ghost,
-                  bool draft) {
+                  bool draft, bool sliced) {
     const NormalMatrices& matrices = m.normal_matrices_by_rule();
     const ThemeColors colors = theme_colors(scene.theme);
     SurfaceDraw object;
     object.world_from_object = drawable(m.matrix());
-    object.color = glm::vec4(colors.surface, 1.0f);
+    // What would hide a slice is of glass.
+    object.color = glm::vec4(colors.surface, sliced ? 0.5f : 1.0f);
     const bool traced = surface.implicit && surface.implicit->region();
     if (const auto back = m.inverse(); back && traced) object.traced_object_from_world = back->matrix();
     if (const auto map = normal_map(scene, m, pane.rule)) object.normals = scaled_for_floats(*map);
@@ -127,6 +127,21 @@ void add_axes(Pane& pane, const Scene& scene, const glm::dvec3& extent, const Fr
         if (at.z > 0.0)
             pane.labels.push_back({Label::Role::Axis, glm::vec2(pane.rect.origin) + glm::vec2(at),
                                    std::string(1, "xyz"[handle.axis]), color});
+    }
+}
+
+void add_knobs(Pane& pane, const Scene& scene, const WorldFromObject& m, const FrameOptions& options) {
+    const glm::vec4 ink(theme_colors(scene.theme).text, 1.0f);
+    for (const Knob& knob : knobs(scene, m, pane.view)) {
+        const double pixel = options.pixel_scale * pane.view.world_per_pixel(knob.at);
+        if (knob.what != Knob::What::Slice) {
+            add_cube(pane.solids, knob.at.xyz, pane.view.up().xyz, 6.0 * pixel, ink);
+            continue;
+        }
+        const glm::dvec3 along = glm::normalize(knob.along.xyz);
+        add_cube(pane.solids, knob.at.xyz, along, 6.5 * pixel, ink);
+        for (const double side : {-1.0, 1.0})
+            add_arrow(pane.solids, knob.at.xyz, side * 26.0 * pixel * along, 1.6 * pixel, ink);
     }
 }
 
@@ -193,29 +208,38 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     frame.draft = options.draft;
     frame.theme = scene.theme;
     frame.surface = std::move(surface);
-    frame.toward_light = toward(scene.light);
+    frame.toward_light = toward(scene.light).xyz;
     if (const auto wrong = normal_map(scene, m, Rule::Naive), right = normal_map(scene, m, Rule::InverseTranspose);
         wrong && right)
         frame.error_maps = {scaled_for_floats(*wrong), scaled_for_floats(*right)};
     // At rest on the object, the ghost would only flicker.
-    const bool ghost = scene.show.ghost && scene.view == ViewMode::Overlay && m.matrix() != glm::dmat4(1.0);
+    const bool ghost =
+        scene.show.ghost && (scene.view == ViewMode::Overlay || scene.ray) && m.matrix() != glm::dmat4(1.0);
     if (scene.show.grid) frame.ground_height = ground_height(frame.surface->mesh, m, ghost);
     frame.shadow_from_ground = shadow_disc(m);
     frame.panes = empty_panes(scene, options.rect);
 
     std::optional<Probe> probe;
+    const CameraView& view = frame.panes.front().view;
     if (scene.probe)
-        probe = nearest_probe(*frame.surface, *scene.probe);
+        probe = nearest_probe(*frame.surface, *scene.probe, scene.borrow);
     else
-        probe =
-            probe_in_view(*frame.surface, m, frame.panes.front().view, 0.5 * glm::dvec2(frame.panes.front().rect.size));
+        probe = probe_in_view(*frame.surface, m, view, 0.5 * glm::dvec2(frame.panes.front().rect.size), scene.borrow);
     if (probe) frame.probe = in_world(*probe, m, scene);
+    if (probe && probe->singular) frame.singular = singular_point(*frame.surface->implicit, probe->point, scene.borrow);
+    if (scene.ray) frame.ray = ray_steps(scene, *frame.surface, m, view);
 
+    const std::shared_ptr<const LevelSets> slice =
+        options.level_sets ? options.level_sets : level_sets(scene, frame.surface->implicit.get());
     for (Pane& pane : frame.panes) {
-        add_surfaces(pane, scene, *frame.surface, m, ghost, options.draft);
+        add_surfaces(pane, scene, *frame.surface, m, ghost, options.draft, slice != nullptr);
+        if (slice) add_slice(pane, scene, *slice, m, ghost, options);
         add_arrows(pane, scene, m);
         if (scene.show.axes) add_axes(pane, scene, frame.surface->extent, options);
         if (frame.probe) add_probe_marks(pane, scene, *frame.probe, options);
+        if (frame.singular) add_singular_marks(pane, scene, *frame.singular, m, options);
+        if (options.handles) add_knobs(pane, scene, m, options);
+        if (frame.ray) add_ray_marks(pane, scene, *frame.ray, m, ghost, options);
         if (scene.show.stretch_axes) add_decomposition_marks(pane, scene, frame.surface->mesh, m, options);
         if (scene.view == ViewMode::Split) {
             const MistakeText mistake = normalscope::text(scene.mistake);

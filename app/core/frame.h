@@ -5,7 +5,10 @@
 #include "core/mistakes.h"
 #include "core/palette.h"
 #include "core/probe.h"
+#include "core/ray_steps.h"
 #include "core/scene.h"
+#include "core/singular_point.h"
+#include "core/slice.h"
 #include "core/surface.h"
 
 #include <glm/mat3x3.hpp>
@@ -112,6 +115,8 @@ struct Frame {
     bool error_legend = false;
     bool draft = false;  ///< formulas' surfaces at half the resolution
     std::optional<ProbeInWorld> probe;
+    std::optional<SingularPoint> singular;  ///< where the probe stands on one
+    std::optional<RaySteps> ray;            ///< the scene's
 };
 
 struct FrameOptions {
@@ -121,6 +126,8 @@ struct FrameOptions {
     std::optional<Highlight> highlight{};  ///< what is pointed at in the equations
     bool handles = true;                   ///< knobs on the axes, to be dragged
     bool draft = false;                    ///< quick rather than fine, while something is being dragged
+    /// The scene's (LevelSetsCache); null: they are made anew.
+    std::shared_ptr<const LevelSets> level_sets{};
 };
 
 /// What the scene looks like at a given size. `surface` is the scene's (SurfaceCache). Throws InputError as

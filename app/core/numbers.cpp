@@ -20,10 +20,11 @@ Json probe_json(const ProbeInWorld& p, const ImplicitSurface* implicit) {
     Json j;
     j["point_object"] = vector(p.object.point);
     j["point_world"] = vector(p.point);
-    j["n_object"] = vector(p.object.normal);
+    const bool any = p.object.has_normal();
+    j["n_object"] = any ? vector(p.object.normal) : Json(nullptr);
     j["n_world"] = json_by_rule(p.normals, [&](const auto& n) { return json_or_null(n, vector); });
-    j["tangents_object"] = pair(p.object.tangents);
-    j["tangents_world"] = pair(p.tangents);
+    j["tangents_object"] = any ? pair(p.object.tangents) : Json(nullptr);
+    j["tangents_world"] = any ? pair(p.tangents) : Json(nullptr);
     j["dots"] = json_by_rule(p.dots, [](const auto& d) {
         return json_or_null(d, [](const auto& v) { return Json::array({json_number(v[0]), json_number(v[1])}); });
     });

@@ -1,5 +1,6 @@
 #include "core/picking.h"
 
+#include "core/singular_point.h"
 #include "core/surface_probe.h"
 
 #include <glm/common.hpp>
@@ -66,8 +67,15 @@ std::optional<Point<Object>> picked_point(const Frame& frame, const Transform<Wo
     const double surface_depth =
         surface ? pane->view.pixel(worldFromObject(surface->probe.point)).z : std::numeric_limits<double>::infinity();
     if (arrow.depth <= surface_depth && arrow.depth < std::numeric_limits<double>::infinity()) return arrow.point;
-    if (surface) return surface->probe.point;
-    return std::nullopt;
+    if (!surface) return std::nullopt;
+    // Nobody hits a single point by hand: a singular one so near is meant.
+    if (frame.surface->implicit)
+        if (const auto singular = singular_near(*frame.surface->implicit, surface->probe.point,
+                                                0.2 * frame.surface->implicit->source().bound)) {
+            const glm::dvec3 there = pane->view.pixel(worldFromObject(*singular));
+            if (there.z > 0.0 && glm::distance(glm::dvec2(there), at) < 2.0 * reach) return singular;
+        }
+    return surface->probe.point;
 }
 
 std::optional<Highlight> highlight_at(const Frame& frame, glm::dvec2 pixel, double reach) {

@@ -71,7 +71,7 @@ ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& worldF
     result.point = worldFromObject(probe.point);
     const glm::dmat3 tangents = tangent_matrix(scene, worldFromObject);
     for (std::size_t k = 0; k < 2; ++k) result.tangents[k] = {tangents * probe.tangents[k].xyz};
-    for (std::size_t r = 0; r < kRules.size(); ++r) {
+    for (std::size_t r = 0; r < kRules.size() && probe.has_normal(); ++r) {
         std::optional<Normal<World>> n = transform_normal(worldFromObject, probe.normal, kRules[r]);
         if (kRules[r] == Rule::Naive && scene.mistake != Mistake::Naive) {
             const std::optional<NormalMap> map = normal_map(scene, worldFromObject, Rule::Naive);

@@ -16,9 +16,16 @@ struct Probe {
     Point<Object> point;
     Normal<Object> normal;
     std::array<Vector<Object>, 2> tangents;
-    /// Where ∇f is zero there is no normal: the neighbour on the surface that this one was borrowed from.
+    bool singular = false;  ///< ∇f is zero here, or does not exist: the point has no normal of its own
+    /// The neighbour on the surface that a singular point has borrowed its normal from; empty: normal and tangents are 0.
     std::optional<Point<Object>> borrowed_from{};
+    bool has_normal() const { return !singular || borrowed_from; }
 };
+
+/// The probe, if it has a normal: what follows from one is empty otherwise.
+inline std::optional<Probe> with_normal(const std::optional<Probe>& probe) {
+    return probe && probe->has_normal() ? probe : std::nullopt;
+}
 
 /// A probe with its tangents, one of which is level where there is a level one. `n` of any length but 0.
 Probe probe_with(Point<Object> point, Normal<Object> n);

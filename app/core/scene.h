@@ -28,6 +28,7 @@ constexpr Theme theme_of(bool dark, bool contrast) {
 }
 /// The other one in lightness, of the same contrast.
 constexpr Theme toggled(Theme theme) { return theme_of(!is_dark(theme), has_contrast(theme)); }
+enum class Axis { X, Y, Z };
 
 /// A built-in shape that touches the unit sphere or fills the cube [−1, 1]³.
 struct ShapeSurface {
@@ -104,6 +105,30 @@ struct Shown {
     friend bool operator==(const Shown&, const Shown&) = default;
 };
 
+/// A plane through the object across one of its axes, on which a formula's f is shown: its level sets f = c, and ∇f.
+struct Slice {
+    Axis axis = Axis::Z;
+    double at = 0.0;       ///< where it cuts the axis, in object space
+    bool gradient = true;  ///< with ∇f as arrows that stand on it
+    friend bool operator==(const Slice&, const Slice&) = default;
+};
+
+/// Where ∇f = 0 there is no normal, and a neighbour on the surface lends its own: the one nearest this direction.
+struct Borrow {
+    double azimuth = 0.0;  ///< degrees, as the camera's angles, in object space
+    double elevation = 0.0;
+    friend bool operator==(const Borrow&, const Borrow&) = default;
+};
+
+/// A ray to be followed from the world to the object's space and back.
+struct AimedRay {
+    static constexpr int kLastStep = 7;
+    /// Empty: from beside the camera, through the middle of the picture.
+    std::optional<Point<World>> from, toward;
+    int step = kLastStep;  ///< how far it is followed (core/ray_steps.h)
+    friend bool operator==(const AimedRay&, const AimedRay&) = default;
+};
+
 /// Everything that a user can change, as one value.
 struct Scene {
     std::string about;  ///< one line that says what the scene shows
@@ -125,6 +150,9 @@ struct Scene {
     /// A point in object space; the probe is the surface's point nearest to it. Empty: what the camera sees nearest
     /// the middle of the picture.
     std::optional<Point<Object>> probe;
+    std::optional<Borrow> borrow;
+    std::optional<Slice> slice;
+    std::optional<AimedRay> ray;
 
     friend bool operator==(const Scene&, const Scene&) = default;
 };

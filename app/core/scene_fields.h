@@ -62,6 +62,10 @@ inline constexpr std::array kMistakeNames{
     EnumName<Mistake>{Mistake::TangentsByInverseTranspose, "tangents-by-inverse-transpose"},
     EnumName<Mistake>{Mistake::TangentsByCofactor, "tangents-by-cofactor"}};
 
+inline constexpr std::array kAxisNames{EnumName<Axis>{Axis::X, "x"}, EnumName<Axis>{Axis::Y, "y"},
+                                       EnumName<Axis>{Axis::Z, "z"}};
+
+constexpr const auto& names_of(Axis) { return kAxisNames; }
 constexpr const auto& names_of(Mistake) { return kMistakeNames; }
 constexpr const auto& names_of(Shape) { return kShapeNames; }
 constexpr const auto& names_of(Clip) { return kClipNames; }
@@ -143,6 +147,23 @@ void fields(F& f, S& s) {
     f("legend", s.legend);
     f("stretch_axes", s.stretch_axes);
 }
+template <class F, Is<Slice> S>
+void fields(F& f, S& s) {
+    f("axis", s.axis);
+    f("at", s.at, kCoordinate);
+    f("gradient", s.gradient);
+}
+template <class F, Is<Borrow> S>
+void fields(F& f, S& s) {
+    f("azimuth", s.azimuth, kDegrees);
+    f("elevation", s.elevation, Range{-90, 90});
+}
+template <class F, Is<AimedRay> S>
+void fields(F& f, S& s) {
+    f("from", s.from);
+    f("toward", s.toward);
+    f("step", s.step, Range{0, AimedRay::kLastStep});
+}
 template <class F, Is<Scene> S>
 void fields(F& f, S& s) {
     f("about", s.about);
@@ -161,6 +182,9 @@ void fields(F& f, S& s) {
     f("theme", s.theme);
     f("show", s.show);
     f("probe", s.probe);
+    f("borrow", s.borrow);
+    f("slice", s.slice);
+    f("ray", s.ray);
 }
 
 }  // namespace normalscope

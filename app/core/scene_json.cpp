@@ -52,7 +52,10 @@ Json json_of(int v) { return v; }
 Json json_of(double v) { return v; }
 Json json_of(const std::string& v) { return v; }
 Json json_of(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
-Json json_of(const Point<Object>& p) { return json_of(p.xyz); }
+template <class Space>
+Json json_of(const Point<Space>& p) {
+    return json_of(p.xyz);
+}
 Json json_of(const glm::dmat4& m) {
     Json rows = Json::array();
     for (int r = 0; r < 4; ++r) rows.push_back(Json::array({m[0][r], m[1][r], m[2][r], m[3][r]}));
@@ -177,7 +180,10 @@ void read(const Json& j, const std::string& path, glm::dvec3& v, Range range) {
     read_array(j, path, 3, "numbers");
     for (int i = 0; i < 3; ++i) read(j[static_cast<std::size_t>(i)], child(path, std::to_string(i)), v[i], range);
 }
-void read(const Json& j, const std::string& path, Point<Object>& p) { read(j, path, p.xyz, kCoordinate); }
+template <class Space>
+void read(const Json& j, const std::string& path, Point<Space>& p) {
+    read(j, path, p.xyz, kCoordinate);
+}
 void read(const Json& j, const std::string& path, glm::dmat4& m) {
     read_array(j, path, 4, "rows");
     for (int r = 0; r < 4; ++r) {
@@ -392,6 +398,10 @@ Json& element(Json& array, const std::string& path, const std::string& key) {
 }
 
 Json& member(Json& object, const std::string& path, const std::string& key) {
+    // What is off is switched on by setting a part of it.
+    if (object.is_null() && path == "slice") object = json_of(Slice{});
+    if (object.is_null() && path == "borrow") object = json_of(Borrow{});
+    if (object.is_null() && path == "ray") object = json_of(AimedRay{});
     if (!object.is_object()) fail("--set " + child(path, key), "there is nothing below " + shown(object));
     // Another kind of surface or of entry replaces the one that is there.
     const std::vector<std::string>* kinds = path == "surface"            ? &kAlternatives[0]

@@ -1,5 +1,7 @@
 #include "core/surface_probe.h"
 
+#include "core/singular_point.h"
+
 #include <glm/geometric.hpp>
 
 #include <array>
@@ -11,61 +13,34 @@ namespace {
 
 // Of the bound. What is nearer to the surface than this was meant to lie on it.
 constexpr double kNear = 0.05;
-constexpr double kNeighbour = 0.02;
 
-bool has_direction(const glm::dvec3& gradient) {
-    const double length = glm::length(gradient);
-    return std::isfinite(length) && length > 0.0;
-}
-
-// ∇f is as good as zero where it is small against what it is a little further away.
-bool vanishes(const ImplicitSurface& surface, Point<Object> p, const glm::dvec3& gradient) {
-    if (!has_direction(gradient)) return true;
-    double around = 0.0;
-    const double reach = kNeighbour * surface.source().bound;
-    for (glm::length_t i = 0; i < 3; ++i)
-        for (const double side : {-reach, reach}) {
-            glm::dvec3 q = p.xyz;
-            q[i] += side;
-            const double length = glm::length(surface.at({q}).gradient);
-            if (std::isfinite(length)) around = std::max(around, length);
-        }
-    return glm::length(gradient) < 1e-6 * around;
-}
-
-// Towards the corners of a cube in turn, until there is a point of the surface with a normal of its own.
-std::optional<Probe> borrowed(const ImplicitSurface& surface, Point<Object> p) {
-    const double reach = kNeighbour * surface.source().bound;
-    for (int k = 0; k < 26; ++k) {
-        const int code = k < 13 ? k : k + 1;  // 13 is no direction at all
-        const glm::dvec3 toward(code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1);
-        const auto q = surface.onto_surface({p.xyz + reach * glm::normalize(toward)}, reach);
-        if (!q || glm::distance(q->xyz, p.xyz) < 0.1 * reach) continue;
-        const glm::dvec3 gradient = surface.at(*q).gradient;
-        if (vanishes(surface, *q, gradient)) continue;
-        Probe probe = probe_with(p, {gradient});
-        probe.borrowed_from = *q;
-        return probe;
-    }
-    return std::nullopt;
-}
-
-std::optional<Probe> nearest_on(const ImplicitSurface& surface, const Mesh& mesh, Point<Object> p) {
+std::optional<Probe> nearest_on(const ImplicitSurface& surface, const Mesh& mesh, Point<Object> p,
+                                const std::optional<Borrow>& borrow) {
     const double reach = kNear * surface.source().bound;
     if (const auto on = surface.onto_surface(p, reach); on && surface.inside_clip(on->xyz))
-        return probe_on(surface, *on);
-    if (surface.at(p).value == 0.0) return probe_on(surface, p);
+        return probe_on(surface, *on, borrow);
+    if (surface.at(p).value == 0.0) return probe_on(surface, p, borrow);
     const auto near = nearest_probe(mesh, p);
     if (!near) return std::nullopt;
     const auto on = surface.onto_surface(near->point, reach);
-    return on ? probe_on(surface, *on) : near;
+    return on ? probe_on(surface, *on, borrow) : near;
 }
 
 }  // namespace
 
-std::optional<Probe> probe_on(const ImplicitSurface& surface, Point<Object> p) {
-    const glm::dvec3 gradient = surface.at(p).gradient;
-    return vanishes(surface, p, gradient) ? borrowed(surface, p) : probe_with(p, {gradient});
+Probe probe_on(const ImplicitSurface& surface, Point<Object> p, const std::optional<Borrow>& borrow) {
+    if (!is_singular(surface, p)) return probe_with(p, {surface.at(p).gradient});
+    if (borrow)
+        if (const auto neighbour = lender(surface, p, *borrow)) {
+            Probe probe = probe_with(p, neighbour->normal);
+            probe.singular = true;
+            probe.borrowed_from = neighbour->point;
+            return probe;
+        }
+    Probe probe;
+    probe.point = p;
+    probe.singular = true;
+    return probe;
 }
 
 std::optional<SurfaceHit> first_hit(const Surface& surface, const Transform<World, Object>& worldFromObject,
@@ -76,20 +51,20 @@ std::optional<SurfaceHit> first_hit(const Surface& surface, const Transform<Worl
     const Ray<Object> object_ray{(*objectFromWorld)(ray.origin), (*objectFromWorld)(ray.direction)};
     const auto t = surface.implicit->first_hit(object_ray);
     if (!t) return std::nullopt;
-    const auto probe = probe_on(*surface.implicit, object_ray.origin + *t * object_ray.direction);
-    return probe ? std::optional(SurfaceHit{*probe, *t}) : std::nullopt;
+    return SurfaceHit{probe_on(*surface.implicit, object_ray.origin + *t * object_ray.direction), *t};
 }
 
-std::optional<Probe> nearest_probe(const Surface& surface, Point<Object> p) {
-    return surface.implicit ? nearest_on(*surface.implicit, surface.mesh, p) : nearest_probe(surface.mesh, p);
+std::optional<Probe> nearest_probe(const Surface& surface, Point<Object> p, const std::optional<Borrow>& borrow) {
+    return surface.implicit ? nearest_on(*surface.implicit, surface.mesh, p, borrow) : nearest_probe(surface.mesh, p);
 }
 
 std::optional<Probe> probe_in_view(const Surface& surface, const Transform<World, Object>& worldFromObject,
-                                   const CameraView& view, glm::dvec2 pixel) {
+                                   const CameraView& view, glm::dvec2 pixel, const std::optional<Borrow>& borrow) {
     if (!surface.implicit) return probe_in_view(surface.mesh, worldFromObject, view, pixel);
-    if (const auto hit = first_hit(surface, worldFromObject, view.ray(pixel))) return hit->probe;
+    if (const auto hit = first_hit(surface, worldFromObject, view.ray(pixel)))
+        return hit->probe.singular ? probe_on(*surface.implicit, hit->probe.point, borrow) : hit->probe;
     const auto near = probe_in_view(surface.mesh, worldFromObject, view, pixel);
-    return near ? nearest_on(*surface.implicit, surface.mesh, near->point) : std::nullopt;
+    return near ? nearest_on(*surface.implicit, surface.mesh, near->point, borrow) : std::nullopt;
 }
 
 }  // namespace normalscope

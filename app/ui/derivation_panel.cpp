@@ -42,7 +42,7 @@ void DerivationPanel::lay_out(const Look& look, const Scene& scene, const Frame&
                 width};
     if (probe) basis.probe = {probe->point.xyz, probe->normal.xyz, probe->tangents[0].xyz, probe->tangents[1].xyz};
     if (laid_out_for_ == basis) return;
-    const Derivation data = derivation(m, factors, probe, tangent_);
+    const Derivation data = derivation(m, factors, with_normal(probe), tangent_);
     passages_ = passages(look, data, shown_, tangent_, width);
     const Meaning by = data.n_world_by == Rule::Cofactor ? Meaning::Cofactor : Meaning::InverseTranspose;
     notes_.clear();

@@ -157,7 +157,7 @@ void curve_key(const Look& look) {
 
 void never_perpendicular(const Look& look, const Frame& frame, const NormalMatrices& matrices) {
     std::string numbers;
-    if (frame.probe && matrices.inverse_transpose) {
+    if (frame.probe && frame.probe->object.has_normal() && matrices.inverse_transpose) {
         const glm::dvec3 n = frame.probe->object.normal.xyz;
         numbers = " = " + fixed(glm::dot(matrices.naive * n, *matrices.inverse_transpose * n)) + " at the probe";
     }

@@ -10,6 +10,7 @@
 #include "ui/messages.h"
 #include "ui/panel.h"
 #include "ui/panel_memory.h"
+#include "ui/ray_tab.h"
 #include "ui/side_panel.h"
 #include "ui/stack_tab.h"
 #include "ui/words.h"
@@ -50,7 +51,7 @@ struct Interface::State {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kTabIds{"derivation", "stack", "maps", "error"};
+constexpr std::array<std::string_view, 5> kTabIds{"derivation", "stack", "maps", "error", "ray"};
 constexpr std::size_t kDerivation = 0;
 
 // In a window hardly wider than what stands beside the picture, that covers part of it rather than all.
@@ -99,7 +100,8 @@ std::vector<SideTab> Interface::State::tabs() {
             {kTabIds[2], "Maps", "The classes of maps, and what each does to normals.",
              [this](Scene& scene, const SideContext& context) { draw_maps_tab(scene, maps, context); }},
             {kTabIds[3], "Error", "How far off the naive rule is: over the surface, and against the stretch.",
-             [this](Scene& scene, const SideContext& context) { draw_error_tab(scene, error, context); }}};
+             [this](Scene& scene, const SideContext& context) { draw_error_tab(scene, error, context); }},
+            {kTabIds[4], "Ray", "What a ray tracer does with one ray, step by step.", draw_ray_tab}};
 }
 
 int Interface::State::side_width(int framebuffer) const {

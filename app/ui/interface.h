@@ -75,7 +75,7 @@ public:
     /// that, Dear ImGui needs two more frames after each event to settle.
     double redraw_after() const;
 
-    /// Opens a tab beside the picture: "derivation", "stack", "maps" or "error"; an empty name closes it. False for an unknown name.
+    /// Opens a tab beside the picture: "derivation", "stack", "maps", "error" or "ray"; an empty name closes it. False for an unknown name.
     bool show_tab(std::string_view id);
     /// The names that show_tab knows.
     static std::span<const std::string_view> tabs();

@@ -89,7 +89,7 @@ bool same_probe(const std::optional<Probe>& a, const std::optional<Probe>& b) {
 void wrong_orders(const Look& look, Scene& scene, StackTab& tab, const Frame& frame) {
     if (!section(look, "Right and wrong orders")) return;
     const std::vector<StackEntry> stack = applied_stack(scene);
-    const std::optional<Probe> probe = frame.probe ? std::optional(frame.probe->object) : std::nullopt;
+    const std::optional<Probe> probe = frame.probe ? with_normal(frame.probe->object) : std::nullopt;
     if (tab.orders_of != stack || !same_probe(tab.orders_at, probe)) {
         tab.orders_of = stack;
         tab.orders_at = probe;

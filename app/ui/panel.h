@@ -40,6 +40,8 @@ void mistake_chooser(Scene& scene, const PanelContext& context);
 void view_buttons(Scene& scene, const PanelContext& context);
 void probe_section(Scene& scene, PanelMemory& memory, const PanelContext& context);
 void surface_section(Scene& scene, PanelMemory& memory, const PanelContext& context);
+void slice_section(Scene& scene, const PanelContext& context);
+void singular_section(Scene& scene, const PanelContext& context);
 void arrows_section(Scene& scene, const PanelContext& context);
 void picture_section(Scene& scene, const PanelContext& context);
 

@@ -75,7 +75,9 @@ void where_and_whither(const Look& look, const ProbeInWorld& probe, Mistake mist
     const ImVec4 grey = look.dim;
     coordinates(look, c, "p object", grey, probe.object.point.xyz, false, "The probe on the untransformed object.");
     coordinates(look, c, "p world", look.text, probe.point.xyz, false, "M p: points go by M, translation included.");
-    coordinates(look, c, "n object", grey, probe.object.normal.xyz, true, "The object's normal there, of unit length.");
+    coordinates(look, c, "n object", grey,
+                probe.object.has_normal() ? std::optional(probe.object.normal.xyz) : std::nullopt, true,
+                "The object's normal there, of unit length.");
     static constexpr std::array<const char*, 3> kAbout{
         "M n, as it comes, before it is normalised. Not a normal unless M is rigid, or nearly.",
         "(M⁻¹)ᵀ n, as it comes, before it is normalised. A dot product for shading needs it at length 1.",

@@ -98,8 +98,8 @@ void button(const Look& look, Scene& scene, const RuleButton& b, bool exists, Im
 
 void rule_buttons(Scene& scene, const PanelContext& context) {
     const Look& look = context.look;
-    const bool invertible =
-        !context.frame.probe || context.frame.probe->normals[static_cast<std::size_t>(Rule::InverseTranspose)];
+    const bool invertible = !context.frame.probe || !context.frame.probe->object.has_normal() ||
+                            context.frame.probe->normals[static_cast<std::size_t>(Rule::InverseTranspose)];
     const float gap = look.px(6), width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3);
     for (std::size_t i = 0; i < kButtons.size(); ++i) {
         if (i > 0) ImGui::SameLine(0, gap);

@@ -4,19 +4,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace normalscope {
 
 namespace {
 
-// Buttons of equal width, the open tab's marked below. Where `closes`, pressing that one again closes it.
+// Buttons as wide as their words want, the open tab's marked below. Where `closes`, pressing that one again closes it.
 void tab_row(const Look& look, std::span<const SideTab> tabs, SideMemory& memory, float width, bool closes) {
-    const float each = std::floor(width / static_cast<float>(std::max<std::size_t>(tabs.size(), 1)));
-    const float left = ImGui::GetCursorPosX();
+    std::vector<float> widths;
+    float words = 0.0f;
+    for (const SideTab& tab : tabs) {
+        const ImFont* font = look.fonts.strong;
+        widths.push_back(font->CalcTextSizeA(font->FontSize, 1e9f, 0, tab.label).x);
+        words += widths.back();
+    }
+    const float room = std::max(0.0f, width - words) / static_cast<float>(std::max<std::size_t>(tabs.size(), 1));
+    float left = ImGui::GetCursorPosX();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, ImGui::GetStyle().FramePadding.y));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
     for (std::size_t i = 0; i < tabs.size(); ++i) {
-        if (i > 0) ImGui::SameLine(left + each * static_cast<float>(i));
+        const float each = std::floor(widths[i] + room);
+        if (i > 0) ImGui::SameLine(left);
+        left += each;
         const bool open = memory.open == i;
         ImGui::PushStyleColor(ImGuiCol_Text, open ? look.text : look.dim);
         ImGui::PushFont(look.fonts.strong);
@@ -35,6 +46,7 @@ void tab_row(const Look& look, std::span<const SideTab> tabs, SideMemory& memory
         else
             memory.open = i;
     }
+    ImGui::PopStyleVar();
     ImGui::PopStyleColor();
 }
 

@@ -55,6 +55,23 @@ class MouseTest(WindowTest):
         self.assertAlmostEqual(scale[0], 1.5, delta=0.03)
         self.assert_near(scale, [scale[0]] * 3, 1e-9)
 
+    def test_knobs_aim_the_ray_and_move_the_slice(self):
+        settings = ("stack=[]", 'surface={"formula": "x^2+y^2+z^2-1"}', "ray.from=[-1.2,1.2,0.6]",
+                    "ray.toward=[0,0.2,0.4]", "slice.axis=y", "slice.at=0.5")
+        window = self.window(*LIGHT, *(word for setting in settings for word in ("--set", setting)))
+        before = window.scene()
+        camera = Camera(before)
+        window.drag(camera.pixel([-1.2, 1.2, 0.6]), camera.pixel([-1.2, 0.9, 0.6]))
+        aimed = window.scene()
+        self.assert_near(aimed["ray"]["from"], [-1.2, 0.9, 0.6], 0.15)  # the picture is seen from above
+        self.assertEqual(aimed, changed(before, "ray.from", aimed["ray"]["from"]))
+        self.assert_undo(window, before, aimed)
+
+        edge = 1.06 * math.sqrt(4 - 0.25)
+        window.drag(camera.pixel([edge, 0.5, 0]), camera.pixel([edge, 0.2, 0]))
+        moved = window.scene()["slice"]
+        self.assertAlmostEqual(moved["at"], 0.2, delta=0.03)
+
     def test_orbit(self):
         window = self.window(*LIGHT)
         before = window.scene()
