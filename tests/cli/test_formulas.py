@@ -90,7 +90,9 @@ class FormulaTest(CommandTest):
                 explained = self.explained(scene, *settings, "--set", f"probe={list(point)}")
                 close_to(self, explained["probe"]["point_object"], list(point), 6)
                 self.assertIsNone(explained["gradient"]["normal"])
-                self.assertIsNotNone(explained["probe"]["borrowed_from"])
+                self.assertNotIn("borrowed_from", explained["probe"])
+                lent = self.explained(scene, *settings, "--set", f"probe={list(point)}", "--set", 'borrow={"azimuth":40}')
+                self.assertEqual(len(lent["probe"]["borrowed_from"]), 3)
                 self.assertIn("there is no normal", " ".join(explained["notes"]))
 
     def test_every_scene_of_the_gallery(self):
