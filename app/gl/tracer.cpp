@@ -55,10 +55,10 @@ Tracer::Layer::Layer(glm::ivec2 size, GLenum format) {
 glm::vec2 Tracer::tile() const { return 2.0f * static_cast<float>(kTile) / glm::vec2(size_); }
 
 void Tracer::hold(const ImplicitSurface& surface) {
-    std::string source = generated(surface);
-    if (program_ && source == source_) return;
-    program_.emplace(source);
-    source_ = std::move(source);
+    // All else that the program is made of follows from the formula.
+    if (program_ && formula_ == surface.glsl().source) return;
+    program_.emplace(generated(surface));
+    formula_ = surface.glsl().source;
 }
 
 void Tracer::hold(glm::ivec2 size, std::size_t layers) {

@@ -51,7 +51,7 @@ private:
     void hold(glm::ivec2 size, std::size_t layers);
     void fill_tiles();
 
-    std::string source_;  // that the program is made of
+    std::string formula_;  // in GLSL, that the program is made for
     std::optional<TraceProgram> program_;
     std::optional<TilesProgram> tiles_program_;
     glm::ivec2 size_{0}, tile_counts_{0};

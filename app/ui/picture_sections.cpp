@@ -157,27 +157,9 @@ void picture_section(Scene& scene, const PanelContext& context) {
     ImGui::PopStyleVar();
 
     dim_text(look, "light from");
-    ImGui::SetNextItemWidth(half);
-    number_bar(look, "##azimuth", scene.light.azimuth,
-               {.letter = "azimuth",
-                .low = -180,
-                .high = 180,
-                .step = 1,
-                .decimals = 0,
-                .unit = "°",
-                .range = kDegrees,
-                .about = "To the right of looking along −z. Shift+drag in the picture moves the light, too."});
-    ImGui::SameLine(0, gap);
-    ImGui::SetNextItemWidth(half);
-    number_bar(look, "##elevation", scene.light.elevation,
-               {.letter = "elevation",
-                .low = -90,
-                .high = 90,
-                .step = 1,
-                .decimals = 0,
-                .unit = "°",
-                .range = {-90, 90},
-                .about = "Above the horizon."});
+    direction_bars(look, "light", scene.light.azimuth, scene.light.elevation,
+                   {"azimuth", "To the right of looking along −z. Shift+drag in the picture moves the light, too."},
+                   {"elevation", "Above the horizon."});
 }
 
 }  // namespace normalscope

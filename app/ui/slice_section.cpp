@@ -75,28 +75,9 @@ void singular_section(Scene& scene, const PanelContext& context) {
             "Any two neighbours can differ by up to " + in_degrees(singular->spread_degrees, 1) +
                 ": so much depends on the choice.");
     if (!scene.borrow) return;
-    const float gap = look.px(6), half = (ImGui::GetContentRegionAvail().x - gap) / 2;
-    ImGui::SetNextItemWidth(half);
-    number_bar(look, "##borrow_azimuth", scene.borrow->azimuth,
-               {.letter = "around",
-                .low = -180,
-                .high = 180,
-                .step = 1,
-                .decimals = 0,
-                .unit = "°",
-                .range = kDegrees,
-                .about = "Which way the neighbour lies, in object space."});
-    ImGui::SameLine(0, gap);
-    ImGui::SetNextItemWidth(half);
-    number_bar(look, "##borrow_elevation", scene.borrow->elevation,
-               {.letter = "above",
-                .low = -90,
-                .high = 90,
-                .step = 1,
-                .decimals = 0,
-                .unit = "°",
-                .range = {-90, 90},
-                .about = "How far above the horizon the neighbour lies, in object space."});
+    direction_bars(look, "borrow", scene.borrow->azimuth, scene.borrow->elevation,
+                   {"around", "Which way the neighbour lies, in object space."},
+                   {"above", "How far above the horizon the neighbour lies, in object space."});
     if (!singular->lender) return;
     const auto line = [&](const char* what, const glm::dvec3& v) {
         dim_text(look, what);

@@ -154,6 +154,29 @@ bool number_bar(const Look& look, const char* id, int& value, const NumberBar& b
     return changed;
 }
 
+void direction_bars(const Look& look, const char* id, double& azimuth, double& elevation,
+                    const DirectionBar& azimuth_bar, const DirectionBar& elevation_bar) {
+    const float gap = look.px(6), half = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
+    const auto bar = [&](const char* which, double& degrees, const DirectionBar& text, double most,
+                         const Range& range) {
+        ImGui::SetNextItemWidth(half);
+        number_bar(look, which, degrees,
+                   {.letter = text.letter,
+                    .low = -most,
+                    .high = most,
+                    .step = 1,
+                    .decimals = 0,
+                    .unit = "°",
+                    .range = range,
+                    .about = text.about});
+    };
+    ImGui::PushID(id);
+    bar("##azimuth", azimuth, azimuth_bar, 180, kDegrees);
+    ImGui::SameLine(0, gap);
+    bar("##elevation", elevation, elevation_bar, 90, {-90, 90});
+    ImGui::PopID();
+}
+
 bool icon_button(const Look& look, const char* id, Icon icon, const char* about, bool enabled, float side) {
     ImGui::BeginDisabled(!enabled);
     ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));

@@ -39,6 +39,13 @@ struct NumberBar {
 bool number_bar(const Look& look, const char* id, double& value, const NumberBar& bar);
 bool number_bar(const Look& look, const char* id, int& value, const NumberBar& bar);
 
+struct DirectionBar {
+    const char *letter, *about;
+};
+/// A direction's azimuth and elevation in degrees, as bars beside each other over the width that there is.
+void direction_bars(const Look& look, const char* id, double& azimuth, double& elevation,
+                    const DirectionBar& azimuth_bar, const DirectionBar& elevation_bar);
+
 bool icon_button(const Look& look, const char* id, Icon icon, const char* about, bool enabled = true,
                  float side = 30.0f);
 
