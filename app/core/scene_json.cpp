@@ -462,10 +462,13 @@ Scene with_setting(const Scene& scene, std::string_view assignment) {
         root["surface"]["parameters"] = kept;
     }
     Scene result = scene_of(std::move(root), "--set ");
-    // What it says of the object and its transform would no longer hold.
-    const auto subject = [](const Scene& s) { return std::tie(s.surface, s.stack, s.stack_position, s.mistake); };
-    if (subject(result) != subject(scene)) result.about.clear();
+    if (!same_subject(result, scene)) result.about.clear();
     return result;
+}
+
+bool same_subject(const Scene& a, const Scene& b) {
+    const auto subject = [](const Scene& s) { return std::tie(s.surface, s.stack, s.stack_position, s.mistake); };
+    return subject(a) == subject(b);
 }
 
 std::string_view name(Shape v) { return enum_name(v); }

@@ -19,6 +19,9 @@ Scene parse_scene(std::string_view text, std::string_view source);
 /// Throws UsageError for what is not of that form, InputError for what the scene does not allow.
 Scene with_setting(const Scene& scene, std::string_view assignment);
 
+/// Whether both show the same object under the same transform, so that what one says of it (`about`) holds for the other.
+bool same_subject(const Scene& a, const Scene& b);
+
 std::string_view name(Shape);
 std::string_view name(ViewMode);
 std::string_view name(ArrowPlacement);

@@ -5,8 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <tuple>
-
 namespace normalscope {
 
 namespace {
@@ -35,8 +33,7 @@ Scene with_patch(const Scene& scene, std::string_view patch, std::string_view so
     Json root = Json::parse(scene_text(scene));
     merge(root, changes);
     Scene result = parse_scene(root.dump(-1, ' ', false, Json::error_handler_t::replace), source);
-    const auto subject = [](const Scene& s) { return std::tie(s.surface, s.stack, s.stack_position, s.mistake); };
-    if (!changes.contains("about") && subject(result) != subject(scene)) result.about.clear();
+    if (!changes.contains("about") && !same_subject(result, scene)) result.about.clear();
     return result;
 }
 
