@@ -74,7 +74,8 @@ struct SymbolArrow {
 
 /// Text beside a place in the picture.
 struct Label {
-    enum class Role { Title, Axis, Angle, Note } role = Role::Note;
+    /// A side and a level name parts of a plane, on which they stand in boxes of their own.
+    enum class Role { Title, Axis, Angle, Note, Side, Level } role = Role::Note;
     glm::vec2 pixel{0.0f};  ///< what it belongs to, from the top left of the framebuffer
     std::string text;
     glm::vec3 color{0.0f};

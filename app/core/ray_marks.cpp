@@ -1,6 +1,7 @@
 #include "core/ray_marks.h"
 
 #include "core/arcs.h"
+#include "core/label_room.h"
 #include "core/solids.h"
 
 #include <glm/geometric.hpp>
@@ -32,7 +33,8 @@ public:
           ray_(ray),
           step_(std::min(scene.ray->step, ray.last_step)),
           colors_(theme_colors(scene.theme)),
-          scale_(options.pixel_scale) {
+          scale_(options.pixel_scale),
+          room_(pane, options.pixel_scale) {
         pixel_ = scale_ * pane.view.world_per_pixel(ray.point_world.value_or(ray.world.origin));
     }
 
@@ -41,9 +43,8 @@ public:
         // Where one hides the other, the words would, too.
         if (object.z <= 0.0 || world.z <= 0.0 || glm::distance(glm::dvec2(object), glm::dvec2(world)) < 110.0 * scale_)
             return;
-        const glm::vec2 corner(pane_.rect.origin);
-        pane_.labels.push_back({Label::Role::Axis, corner + glm::vec2(object), "object space", colors_.ghost});
-        pane_.labels.push_back({Label::Role::Axis, corner + glm::vec2(world), "world", colors_.text});
+        room_.put_at(glm::dvec2(object), "object space", Label::Role::Axis, colors_.ghost);
+        room_.put_at(glm::dvec2(world), "world", Label::Role::Axis, colors_.text);
     }
 
     void world() {
@@ -55,7 +56,7 @@ public:
         if (hit) {
             const glm::dvec3 p = ray_.point_world->xyz;
             add_ball(pane_.solids, p, std::max(0.03, 4.0 * pixel_), glm::vec4(colors_.text, 1.0f));
-            word(p, with_number("t = %.3f", *ray_.t), colors_.text, 16.0f);
+            word(p, with_number("t = %.3f", *ray_.t), colors_.text);
         }
     }
 
@@ -72,7 +73,7 @@ public:
         word(p, step_ >= 3 ? with_number("p,  t = %.3f", *ray_.t) : with_number("t = %.3f", *ray_.t), colors_.ghost);
         if (step_ >= 4 && ray_.gradient) {
             const glm::dvec3 n = kNormal * glm::normalize(ray_.gradient->xyz);
-            add_arrow(pane_.solids, p, n, thick(1.3), glm::vec4(colors_.ghost, 1.0f));
+            arrow(p, n, thick(1.3), colors_.ghost);
             word(p + n, ray_.f ? "\u2207f" : "n", colors_.ghost);
         }
     }
@@ -84,12 +85,12 @@ public:
         // As long against ∇f's arrow as it is against ∇f, until it is normalised.
         const double ratio = glm::length(ray_.normal->xyz) / glm::length(ray_.gradient->xyz);
         const double length = kNormal * (step_ == 5 ? std::clamp(ratio, 0.25, 2.5) : 1.0);
-        add_arrow(pane_.solids, p, length * unit, thick(1.6), glm::vec4(green, 1.0f));
+        arrow(p, length * unit, thick(1.6), green);
         word(p + length * unit, step_ == 5 ? "(M\u207B\u00B9)\u1D40 " + std::string(ray_.f ? "\u2207f" : "n") : "n",
              green);
         if (step_ < 7) return;
         const glm::dvec3 l = ray_.toward_light.xyz;
-        add_arrow(pane_.solids, p, 1.25 * kNormal * l, thick(1.3), glm::vec4(colors_.text, 1.0f));
+        arrow(p, 1.25 * kNormal * l, thick(1.3), colors_.text);
         word(p + 1.25 * kNormal * l, "l, to the light", colors_.text);
         const double angle = angle_degrees(unit, l).value_or(0.0);
         if (angle < 1.0 || angle > 179.0) return;
@@ -101,7 +102,17 @@ public:
              colors_.text);
     }
 
+    // The last step's first: they are what one looks for.
+    void words() {
+        for (auto word = words_.rbegin(); word != words_.rend(); ++word)
+            room_.put_beside(word->at, word->text, word->color);
+    }
+
 private:
+    void arrow(const glm::dvec3& base, const glm::dvec3& vector, double radius, const glm::vec3& color) {
+        add_arrow(pane_.solids, base, vector, radius, glm::vec4(color, 1.0f));
+        room_.keep_clear(base, base + vector);
+    }
     double thick(double factor) const { return std::max(0.018 * factor, 1.7 * factor * pixel_); }
 
     // With a bead at each whole t: the two rays have them at the same t.
@@ -110,25 +121,31 @@ private:
         const double radius = factor * std::max(0.010, 1.3 * pixel_);
         const glm::vec4 ink(color, 1.0f);
         // Beyond the hit there is nothing to follow.
-        add_tube(pane_.solids, std::array{o, o + (hit ? end : std::max(end, 1.2)) * d}, radius, ink);
+        const glm::dvec3 last = o + (hit ? end : std::max(end, 1.2)) * d;
+        add_tube(pane_.solids, std::array{o, last}, radius, ink);
+        room_.keep_clear(o, last);
         add_arrow(pane_.solids, o, d, 1.9 * radius, ink);
         for (int k = 2; k < end && k < kMostBeads; ++k) add_ball(pane_.solids, o + double(k) * d, 2.4 * radius, ink);
     }
 
-    void word(const glm::dvec3& at, const std::string& text, const glm::vec3& color, float below = -12.0f) {
-        const glm::dvec3 pixel = pane_.view.pixel({at});
-        if (pixel.z > 0.0)
-            pane_.labels.push_back({Label::Role::Angle,
-                                    glm::vec2(pane_.rect.origin) + glm::vec2(pixel) + glm::vec2(2.0f, below) * scale_,
-                                    text, color});
+    // Written when all that they must not hide is known.
+    void word(const glm::dvec3& at, const std::string& text, const glm::vec3& color) {
+        words_.push_back({at, text, color});
     }
 
+    struct Word {
+        glm::dvec3 at;
+        std::string text;
+        glm::vec3 color;
+    };
     Pane& pane_;
     const RaySteps& ray_;
     int step_;
     ThemeColors colors_;
     float scale_;
     double pixel_ = 0.0;
+    LabelRoom room_;
+    std::vector<Word> words_;
 };
 
 }  // namespace
@@ -140,6 +157,7 @@ void add_ray_marks(Pane& pane, const Scene& scene, const RaySteps& ray, const Tr
     marks.world();
     marks.object();
     marks.light();
+    marks.words();
 }
 
 }  // namespace normalscope

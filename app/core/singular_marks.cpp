@@ -1,5 +1,6 @@
 #include "core/singular_marks.h"
 
+#include "core/label_room.h"
 #include "core/solids.h"
 
 #include <glm/geometric.hpp>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace normalscope {
@@ -34,6 +36,8 @@ void add_singular_marks(Pane& pane, const Scene& scene, const SingularPoint& sin
     const double pixel = options.pixel_scale * pane.view.world_per_pixel(at);
     const double length = 0.8 * std::max(4.6 * scene.arrows.length, 70.0 * pixel);
     const glm::vec3 ink = theme_colors(scene.theme).text, color = rule_color(pane.rule);
+    LabelRoom room(pane, options.pixel_scale);
+    std::optional<glm::dvec3> lent;  // the tip of the normal that is borrowed
 
     if (const auto map = normal_map(scene, worldFromObject, pane.rule)) {
         std::vector<std::vector<glm::dvec3>> fan;
@@ -49,29 +53,27 @@ void add_singular_marks(Pane& pane, const Scene& scene, const SingularPoint& sin
                     pane.translucent.push_back(
                         {glm::vec3(at.xyz + 0.9 * length * corner), glm::vec3(0.0f), glm::vec4(color, 0.22f)});
         const double radius = std::max(0.010, 1.25 * pixel);
-        for (const glm::dvec3& n : thinned(fan))
+        for (const glm::dvec3& n : thinned(fan)) {
             add_arrow(pane.solids, at.xyz, length * n, radius, glm::vec4(color, 1.0f));
+            room.keep_clear(at.xyz, at.xyz + length * n);
+        }
         if (singular.lender) {
             const Point<World> from = worldFromObject(singular.lender->point);
             add_tube(pane.solids, std::array{at.xyz, from.xyz}, std::max(0.008, 1.2 * pixel), glm::vec4(ink, 1.0f));
             add_ball(pane.solids, from.xyz, 3.6 * pixel, glm::vec4(ink, 1.0f));
-            if (const glm::dvec3 n = (*map)(singular.lender->normal).xyz; glm::length(n) > 0.0)
-                add_arrow(pane.solids, from.xyz, 0.9 * length * glm::normalize(n), 1.8 * radius,
-                          glm::vec4(color, 1.0f));
+            if (const glm::dvec3 n = (*map)(singular.lender->normal).xyz; glm::length(n) > 0.0) {
+                // Longer than the fan's, which it would be lost among.
+                lent = from.xyz + 1.35 * length * glm::normalize(n);
+                add_arrow(pane.solids, from.xyz, *lent - from.xyz, 2.0 * radius, glm::vec4(color, 1.0f));
+                room.keep_clear(from.xyz, *lent);
+            }
         }
     }
     add_ball(pane.solids, at.xyz, 4.2 * pixel, glm::vec4(ink, 1.0f));
-    // Beside the fan, not upon it.
-    const glm::dvec3 beside = pane.view.pixel(at + (1.05 * length) * pane.view.right());
-    if (beside.z <= 0.0) return;
-    pane.labels.push_back(
-        {Label::Role::Angle, glm::vec2(pane.rect.origin) + glm::vec2(beside),
-         singular.undefined ? "no normal here: \u2207f does not exist" : "no normal here: \u2207f = 0", ink});
-    if (!singular.lender) return;
-    const glm::dvec3 from = pane.view.pixel(worldFromObject(singular.lender->point));
-    if (from.z > 0.0)
-        pane.labels.push_back(
-            {Label::Role::Note, glm::vec2(pane.rect.origin) + glm::vec2(from), "lent by this neighbour", ink});
+    const glm::dvec3 beside = at.xyz + (1.05 * length) * pane.view.right().xyz;
+    if (lent) room.put_beside(*lent, "borrowed from this neighbour", color);
+    room.put_beside(beside,
+                    singular.undefined ? "no normal here: \u2207f does not exist" : "no normal here: \u2207f = 0", ink);
 }
 
 }  // namespace normalscope

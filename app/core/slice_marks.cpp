@@ -1,14 +1,18 @@
 #include "core/slice_marks.h"
 
+#include "core/label_room.h"
 #include "core/solids.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace normalscope {
 
@@ -44,7 +48,11 @@ std::string level_text(double c) {
 class Marks {
 public:
     Marks(Pane& pane, const Scene& scene, const LevelSets& sets, const FrameOptions& options)
-        : pane_(pane), sets_(sets), theme_(scene.theme), scale_(options.pixel_scale) {}
+        : pane_(pane),
+          sets_(sets),
+          theme_(scene.theme),
+          scale_(options.pixel_scale),
+          room_(pane, options.pixel_scale) {}
 
     // False where M leaves no plane of it.
     bool stand(const Transform<World, Object>& m) {
@@ -90,35 +98,56 @@ public:
             if (!(lengths[i] > 0.0)) continue;
             // The root: what is ten times as steep is still longer, and the shorter one still an arrow.
             const double length = longest * std::sqrt(std::min(1.0, lengths[i] / *high));
-            add_arrow(pane_.solids, at(sets_.gradients[i].base.xyz),
-                      (shrink * length / lengths[i]) * map(sets_.gradients[i].gradient).xyz,
-                      std::min(0.07 * length, std::max(0.013, 1.9 * pixel_)), glm::vec4(color, 1.0f));
+            const glm::dvec3 base = at(sets_.gradients[i].base.xyz),
+                             arrow = (shrink * length / lengths[i]) * map(sets_.gradients[i].gradient).xyz;
+            room_.keep_clear(base, base + arrow);
+            add_arrow(pane_.solids, base, arrow, std::min(0.07 * length, std::max(0.013, 1.9 * pixel_)),
+                      glm::vec4(color, 1.0f));
         }
     }
 
     void words() {
         const glm::vec3 text = theme_colors(theme_).text;
-        if (sets_.inside) word(*sets_.inside, "inside  f < 0", Label::Role::Axis, text);
-        if (sets_.outside) word(*sets_.outside, "outside  f > 0", Label::Role::Axis, text);
-        // Below and to the left, where neither of those stands.
-        for (const int level : {-2, -1, 0, 1, 2, 4, 8}) {
-            const LevelSets::Line* best = nullptr;
-            double most = -1e300;
-            for (const LevelSets::Line& line : sets_.lines) {
-                const glm::dvec3 from = line.ends[0] - sets_.middle;
-                const double along = -0.8 * glm::dot(from, sets_.across[0]) - 0.6 * glm::dot(from, sets_.across[1]);
-                if (line.level == level && along > most) best = &line, most = along;
-            }
-            if (best)
-                word(best->ends[0], level == 0 ? "f = 0" : level_text(level * sets_.step), Label::Role::Note, text);
+        const auto side = [&](const std::optional<glm::dvec3>& where, const char* name) {
+            if (!where) return;
+            const glm::dvec3 p = pixel(*where);
+            if (p.z > 0.0) room_.put_at(glm::dvec2(p), name, Label::Role::Side, text);
+        };
+        side(sets_.inside, "inside  f < 0");
+        side(sets_.outside, "outside  f > 0");
+        for (const int level : {0, 1, -1, 2, -2, 4, 8}) {
+            const std::string name = level == 0 ? "f = 0" : level_text(level * sets_.step);
+            if (const auto where = place_for(level, name)) room_.put_at(*where, name, Label::Role::Level, text);
         }
     }
 
 private:
     glm::dvec3 at(const glm::dvec3& p) const { return m_(Point<Object>{p}).xyz; }
-    void word(const glm::dvec3& p, const std::string& text, Label::Role role, const glm::vec3& color) {
-        const glm::dvec3 pixel = pane_.view.pixel({at(p)});
-        if (pixel.z > 0.0) pane_.labels.push_back({role, glm::vec2(pane_.rect.origin) + glm::vec2(pixel), text, color});
+    glm::dvec3 pixel(const glm::dvec3& p) const { return pane_.view.pixel({at(p)}); }
+
+    // On the level's line, which the word's box breaks: away from the arrows and other words, rather below and to the
+    // left, so that the levels stand in order.
+    std::optional<glm::dvec2> place_for(int level, const std::string& name) const {
+        constexpr std::size_t kMostPlaces = 200;
+        const auto count = static_cast<std::size_t>(std::ranges::count(sets_.lines, level, &LevelSets::Line::level));
+        const std::size_t every = 1 + count / kMostPlaces;
+        const glm::dvec2 half = room_.half_size(name, Label::Role::Level), size(pane_.rect.size);
+        const double clear = 1.3 * half.x;
+        std::optional<glm::dvec2> best;
+        double most = -1e300;
+        std::size_t i = 0;
+        for (const LevelSets::Line& line : sets_.lines) {
+            if (line.level != level || i++ % every != 0) continue;
+            const glm::dvec3 where = pixel(line.ends[0]), from = line.ends[0] - sets_.middle;
+            const glm::dvec2 p(where);
+            if (!(where.z > 0.0) || glm::any(glm::lessThan(p, half)) || glm::any(glm::lessThan(size - half, p)) ||
+                !room_.is_free(p, name, Label::Role::Level))
+                continue;
+            const double along = -0.8 * glm::dot(from, sets_.across[0]) - 0.6 * glm::dot(from, sets_.across[1]);
+            const double score = along / sets_.reach + 2.0 * std::min(room_.clearance(p) / clear, 1.0);
+            if (score > most) best = p, most = score;
+        }
+        return best;
     }
 
     Pane& pane_;
@@ -127,6 +156,7 @@ private:
     double scale_, pixel_ = 0.0;
     Transform<World, Object> m_;
     glm::dvec3 normal_{0.0};
+    LabelRoom room_;
 };
 
 }  // namespace

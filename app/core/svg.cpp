@@ -59,6 +59,9 @@ private:
 
     // Whether the object stands between the eye and the place.
     bool hidden(const glm::dvec3& world) const {
+        // What is of glass hides nothing.
+        if (std::ranges::none_of(pane_.surfaces, [](const SurfaceDraw& draw) { return draw.color.a >= 1.0f; }))
+            return false;
         const glm::dvec3 eye = pane_.view.eye().xyz, way = world - eye;
         const auto hit = first_hit(*frame_.surface, m_, Ray<World>{{eye}, {way}});
         return hit && hit->t < 1.0 - 2e-3;
@@ -262,6 +265,17 @@ private:
                     number(16 * scale_) + "\" fill=\"" + hex(label.color) + "\"/>\n";
             words({where.x, y + 2.5 * scale_}, label.text, 20.0,
                   "font-weight=\"600\" text-anchor=\"middle\" fill=\"#ffffff\" xml:space=\"preserve\"");
+            return;
+        }
+        if (label.role == Label::Role::Side || label.role == Label::Role::Level) {
+            const double size = label.role == Label::Role::Side ? 15.0 : 13.0;
+            const glm::dvec2 half = scale_ * glm::dvec2(0.29 * size * letters(label.text) + 6.0, 0.7 * size);
+            out_ += "  <rect x=\"" + number(where.x - half.x) + "\" y=\"" + number(where.y - half.y) + "\" width=\"" +
+                    number(2.0 * half.x) + "\" height=\"" + number(2.0 * half.y) + "\" rx=\"" + number(4 * scale_) +
+                    "\" fill=\"" + hex(colors_.text_shadow) + "\" fill-opacity=\"0.8\"/>\n";
+            words(
+                where + glm::dvec2(0, 0.35 * size * scale_), label.text, size,
+                "font-weight=\"600\" text-anchor=\"middle\" xml:space=\"preserve\" fill=\"" + hex(label.color) + "\"");
             return;
         }
         const std::string halo = "stroke=\"" + hex(colors_.text_shadow) + "\" stroke-width=\"" + number(3 * scale_) +

@@ -106,10 +106,29 @@ void row_of_matrices(const Look& look, std::span<const SmallMatrix> matrices) {
     ImGui::Dummy({whole, 0});
 }
 
-void wrapped(const Look& look, const ImVec4& ink, const std::string& text) {
+namespace {
+
+// ImGui breaks lines after any full stop as well, even in the middle of a number.
+std::string broken_at_spaces(std::string text, float width) {
+    const auto end_of_word = [&](std::size_t from) { return std::min(text.find_first_of(" \n", from), text.size()); };
+    std::size_t line = 0;
+    for (std::size_t end = end_of_word(0); end < text.size();) {
+        const std::size_t next = end_of_word(end + 1);
+        if (text[end] == ' ' && ImGui::CalcTextSize(text.data() + line, text.data() + next).x > width) text[end] = '\n';
+        if (text[end] == '\n') line = end + 1;
+        end = next;
+    }
+    return text;
+}
+
+}  // namespace
+
+void wrapped(const Look& look, const ImVec4& ink, const std::string& words) {
     ImGui::PushFont(look.fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, ink);
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x);
+    const float width = ImGui::GetContentRegionAvail().x;
+    const std::string text = broken_at_spaces(words, width);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
     ImGui::TextUnformatted(text.data(), text.data() + text.size());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();

@@ -84,7 +84,9 @@ public:
     void label(const Pane& pane, const Label& label) const {
         const glm::vec2 inside = label.pixel - glm::vec2(pane.rect.origin), size_of_pane(pane.rect.size);
         if (inside.x < 0.0f || inside.y < 0.0f || inside.x > size_of_pane.x || inside.y > size_of_pane.y) return;
-        const ImFont* font = label.role == Label::Role::Note ? look_.fonts.small : look_.fonts.strong;
+        const bool small = label.role == Label::Role::Note || label.role == Label::Role::Level;
+        const bool boxed = label.role == Label::Role::Side || label.role == Label::Role::Level;
+        const ImFont* font = small ? look_.fonts.small : look_.fonts.strong;
         const ImVec2 size = extent(font, label.text);
         ImVec2 at{label.pixel.x - size.x / 2, label.pixel.y - size.y / 2};
         if (label.role == Label::Role::Angle) at.x = label.pixel.x + look_.px(8);
@@ -94,6 +96,13 @@ public:
         const ImVec2 high(low.x + static_cast<float>(pane.rect.size.x) - look_.px(8) - size.x,
                           low.y + static_cast<float>(pane.rect.size.y) - look_.px(8) - size.y);
         at = {std::clamp(at.x, low.x, std::max(low.x, high.x)), std::clamp(at.y, low.y, std::max(low.y, high.y))};
+        if (boxed) {
+            const float pad = look_.px(small ? 4 : 7), above = look_.px(small ? 0 : 2);
+            list_.AddRectFilled({std::round(at.x - pad), std::round(at.y - above)},
+                                {std::round(at.x + size.x + pad), std::round(at.y + size.y + above)},
+                                packed(faded(to_imgui(colors_.text_shadow), 0.8f)), look_.px(4));
+            return plain(font, at, to_imgui(label.color), label.text);
+        }
         const bool dark = is_dark(look_.theme);  // the palette's deeper colours drown in it
         haloed(font, at, dark ? glm::mix(label.color, colors_.text, 0.3f) : label.color, label.text);
     }
