@@ -6,7 +6,6 @@
 #include "core/file.h"
 #include "core/lesson_player.h"
 #include "core/png.h"
-#include "core/scene_blend.h"
 #include "numbered.h"
 #include "progress.h"
 #include "temporary_folder.h"
@@ -36,7 +35,7 @@ std::vector<Picture> pictures_of(const Lesson& lesson, int frames_per_second, do
         const Scene& here = lesson.steps[i].scene;
         for (int k = 1; i > 0 && k < moving; ++k) {
             const double t = static_cast<double>(k) / moving;
-            pictures.push_back({blend(lesson.steps[i - 1].scene, here, t * t * (3.0 - 2.0 * t)), i});
+            pictures.push_back({LessonPlayer::between(lesson.steps[i - 1].scene, here, t), i});
         }
         for (int k = 0; k < still; ++k) pictures.push_back({here, i, k > 0});
     }
@@ -64,23 +63,23 @@ int animate(const AnimateCommand& command) {
     const CancelOnSignal cancel;
     {
         Progress progress(pictures.size());
-        Image image;
         for (std::size_t i = 0; i < pictures.size() && !CancelOnSignal::asked(); ++i) {
-            if (!pictures[i].same)
-                image =
-                    studio
-                        .capture(pictures[i].scene, {.size = command.size, .lesson = lesson, .step = pictures[i].step})
-                        .image;
-            write_png(file(i), image);
+            const Picture& picture = pictures[i];
+            if (picture.same)
+                fs::copy_file(file(i - 1), file(i), fs::copy_options::overwrite_existing);
+            else
+                write_png(file(i),
+                          studio.capture(picture.scene, {.size = command.size, .lesson = lesson, .step = picture.step})
+                              .image);
             progress.step();
         }
     }
-    if (CancelOnSignal::asked()) {
+    if (CancelOnSignal::asked() ||
+        (video && !write_video(frames->path(), pictures.size(), command.frames_per_second, command.output))) {
         std::fprintf(stderr, "normalscope: cancelled; %s\n",
                      video ? "no video was written" : "the pictures that were written are whole");
         return CancelOnSignal::exit_code();
     }
-    if (video) write_video(frames->path(), command.frames_per_second, command.output);
     write_file("/dev/stdout", std::to_string(pictures.size()) + " pictures: " + command.output + "\n");
     return 0;
 }

@@ -4,10 +4,12 @@
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace normalscope {
 
-Progress::Progress(std::size_t total) : total_(total), terminal_(::isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(std::size_t total, std::string what)
+    : total_(total), what_(std::move(what)), terminal_(::isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
     if (terminal_ && shown_ != began_) std::fputs("\r\x1b[K", stderr);  // the bar gives way to the result
@@ -21,13 +23,14 @@ std::string Progress::remaining() const {
     return std::to_string((seconds + 30) / 60) + " min left";
 }
 
-void Progress::step() {
-    ++done_;
+void Progress::reach(std::size_t done) {
+    if (done == 0 || done > total_) return;
+    done_ = done;
     const auto now = Clock::now();
     const auto pause = terminal_ ? std::chrono::milliseconds(100) : std::chrono::milliseconds(3000);
     if (now - shown_ < pause) return;
     shown_ = now;
-    const std::string line = std::to_string(done_) + " of " + std::to_string(total_) + " pictures, " + remaining();
+    const std::string line = std::to_string(done_) + " of " + std::to_string(total_) + " " + what_ + ", " + remaining();
     if (!terminal_) {
         std::fprintf(stderr, "%s\n", line.c_str());
         return;

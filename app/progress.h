@@ -9,18 +9,21 @@ namespace normalscope {
 /// How far a long task is, on standard error: a bar on a terminal; elsewhere, as in a job's log, a line every few seconds.
 class Progress {
 public:
-    explicit Progress(std::size_t total);
+    /// `what` is counted.
+    explicit Progress(std::size_t total, std::string what = "pictures");
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    void step();
+    void step() { reach(done_ + 1); }
+    void reach(std::size_t done);
 
 private:
     using Clock = std::chrono::steady_clock;
     std::string remaining() const;
 
     std::size_t total_, done_ = 0;
+    std::string what_;
     bool terminal_;
     Clock::time_point began_ = Clock::now(), shown_ = began_;
 };

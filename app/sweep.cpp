@@ -85,8 +85,8 @@ int sweep(const SweepCommand& command) {
     }
 
     std::vector<std::string> numbers(command.numbers ? plan.count() : 0);
+    const CancelOnSignal cancel;
     {
-        const CancelOnSignal cancel;
         std::optional<Progress> progress(std::in_place, plan.count());
         std::size_t drawn = 0;
         const bool whole =
@@ -133,7 +133,10 @@ int sweep(const SweepCommand& command) {
         }
         write_file(*command.numbers, json_text(all) + "\n");
     }
-    if (video) write_video(frames->path(), command.frames_per_second, command.output);
+    if (video && !write_video(frames->path(), plan.count(), command.frames_per_second, command.output)) {
+        std::fprintf(stderr, "normalscope: cancelled; no video was written\n");
+        return CancelOnSignal::exit_code();
+    }
     if (command.numbers != "/dev/stdout") {
         const std::string count = std::to_string(plan.count()) + " pictures: ";
         write_file(

@@ -1,17 +1,23 @@
 #include "video.h"
 
+#include "cancel.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "progress.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace normalscope {
@@ -30,10 +36,8 @@ std::optional<fs::path> find_ffmpeg() {
     return std::nullopt;
 }
 
+// Half as many pixels of colour as of brightness is all that most players show; hence even sides.
 std::vector<std::string> format_options(const fs::path& video) {
-    if (video.extension() == ".gif")  // a palette of the video's own colours, or all 256 go to a colour cube
-        return {"-vf", "split[a][b];[a]palettegen=stats_mode=diff[p];[b][p]paletteuse=dither=sierra2_4a", "-f", "gif"};
-    // Half as many pixels of colour as of brightness is all that most players show; hence even sides.
     std::vector<std::string> options{"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"};
     if (video.extension() == ".webm")
         options.insert(options.end(), {"-crf", "24", "-b:v", "0", "-f", "webm"});
@@ -42,13 +46,13 @@ std::vector<std::string> format_options(const fs::path& video) {
     return options;
 }
 
-// Its exit status; what it writes goes to `log`.
-int run(const std::vector<std::string>& command, const fs::path& log) {
+pid_t start(const std::vector<std::string>& command, const fs::path& log) {
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     const pid_t process = ::fork();
     if (process == 0) {
+        ::setpgid(0, 0);  // Ctrl+C goes to this program alone, which then ends the other one
         const int nothing = ::open("/dev/null", O_RDONLY),
                   out = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         ::dup2(nothing, STDIN_FILENO);
@@ -57,10 +61,47 @@ int run(const std::vector<std::string>& command, const fs::path& log) {
         ::execv(arguments[0], arguments.data());
         ::_exit(127);
     }
-    int status = -1;
-    while (process > 0 && ::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    return process;
+}
+
+/// How many pictures ffmpeg says it has taken, in a file to which it adds its lines: "frame=12".
+class Taken {
+public:
+    explicit Taken(const fs::path& file) : lines_(file) {}
+    std::size_t now() {
+        lines_.clear();
+        for (std::string line; std::getline(lines_, line);)
+            if (line.starts_with("frame=")) taken_ = std::strtoul(line.c_str() + 6, nullptr, 10);
+        return taken_;
     }
-    return process > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+
+private:
+    std::ifstream lines_;
+    std::size_t taken_ = 0;
+};
+
+// Its exit status, or nothing where it was cancelled; what it writes goes to `log`.
+std::optional<int> run(std::vector<std::string> command, const fs::path& log, Progress& progress) {
+    const fs::path report = fs::path(log).replace_extension("progress");
+    std::ofstream{report};
+    command.insert(command.begin() + 1, {"-nostats", "-progress", report.string()});
+    Taken taken(report);
+    const pid_t process = start(command, log);
+    if (process < 0) return -1;
+    int status = 0;
+    for (;;) {
+        const pid_t ended = ::waitpid(process, &status, WNOHANG);
+        if (ended == process) break;
+        if (ended < 0 && errno != EINTR) return -1;
+        if (CancelOnSignal::asked()) {
+            ::kill(process, SIGKILL);
+            ::waitpid(process, &status, 0);
+            return std::nullopt;
+        }
+        progress.reach(taken.now());
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 }  // namespace
@@ -77,20 +118,38 @@ void require_ffmpeg(const fs::path& video) {
                          "single pictures: -o frame-%03d.png");
 }
 
-void write_video(const fs::path& folder, int frames_per_second, const fs::path& video) {
+bool write_video(const fs::path& folder, std::size_t pictures, int frames_per_second, const fs::path& video) {
     const fs::path log = folder / "ffmpeg.log", partial = folder / ("video" + video.extension().string());
-    std::vector<std::string> command{find_ffmpeg().value_or("ffmpeg").string(),
-                                     "-y",
-                                     "-loglevel",
-                                     "error",
-                                     "-framerate",
-                                     std::to_string(frames_per_second),
-                                     "-i",
-                                     (folder / "%06d.png").string()};
-    const std::vector<std::string> format = format_options(video);
-    command.insert(command.end(), format.begin(), format.end());
-    command.push_back(partial.string());
-    if (run(command, log) != 0) {
+    std::vector<std::string> start{find_ffmpeg().value_or("ffmpeg").string(),
+                                   "-y",
+                                   "-loglevel",
+                                   "error",
+                                   "-framerate",
+                                   std::to_string(frames_per_second),
+                                   "-i",
+                                   (folder / "%06d.png").string()};
+    const auto with = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> command = start;
+        command.insert(command.end(), more.begin(), more.end());
+        return command;
+    };
+    std::vector<std::vector<std::string>> commands;
+    if (video.extension() == ".gif") {
+        // A palette of the video's own colours, or all 256 go to a colour cube. It is found first: a single command for
+        // both keeps all pictures in memory.
+        const std::string palette = (folder / "palette.png").string();
+        commands.push_back(with({"-vf", "palettegen=stats_mode=diff", "-update", "1", palette}));
+        commands.push_back(
+            with({"-i", palette, "-lavfi", "paletteuse=dither=sierra2_4a", "-f", "gif", partial.string()}));
+    } else {
+        commands.push_back(with(format_options(video)));
+        commands.back().push_back(partial.string());
+    }
+    Progress progress(pictures, "pictures in the video");
+    for (const std::vector<std::string>& command : commands) {
+        const std::optional<int> status = run(command, log, progress);
+        if (!status) return false;
+        if (*status == 0) continue;
         std::string said = read_file(log, std::size_t{1} << 20);
         while (said.ends_with('\n')) said.pop_back();
         throw InputError(video.string() + ": ffmpeg could not make it: " + said.substr(said.rfind('\n') + 1));
@@ -98,6 +157,7 @@ void write_video(const fs::path& folder, int frames_per_second, const fs::path& 
     std::error_code error;
     fs::rename(partial, video, error);
     if (error) throw InputError(video.string() + ": cannot be written: " + error.message());
+    return true;
 }
 
 }  // namespace normalscope

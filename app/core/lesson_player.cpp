@@ -7,12 +7,15 @@
 
 namespace normalscope {
 
-namespace {
-
-// Begins and ends gently.
-double eased(double t) { return t * t * (3.0 - 2.0 * t); }
-
-}  // namespace
+Scene LessonPlayer::between(const Scene& from, const Scene& to, double t) {
+    Scene scene = blend(from, to, t * t * (3.0 - 2.0 * t));
+    try {
+        (void)world_from_object(scene);
+    } catch (const InputError&) {
+        return to;
+    }
+    return scene;
+}
 
 Scene LessonPlayer::target(const Scene& scene) const {
     Scene step_scene = step().scene;
@@ -40,12 +43,8 @@ void LessonPlayer::advance(double seconds, Scene& scene) {
     }
     way_->seconds += seconds;
     if (way_->seconds >= kSeconds) return arrive(scene);
-    Scene next = blend(way_->from, target(scene), eased(way_->seconds / kSeconds));
-    try {
-        (void)world_from_object(next);
-    } catch (const InputError&) {  // two scenes are possible, and what lies between them is not
-        return arrive(scene);
-    }
+    Scene next = between(way_->from, target(scene), way_->seconds / kSeconds);
+    if (next == target(scene)) return arrive(scene);
     scene = way_->shown = std::move(next);
 }
 

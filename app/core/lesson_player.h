@@ -15,6 +15,10 @@ class LessonPlayer {
 public:
     static constexpr double kSeconds = 0.9;  ///< from one step to the next
 
+    /// What is shown at t from 0 to 1 of the way, which begins and ends gently. Where two scenes are possible and what lies
+    /// between them is not, there is no way: it is `to` at once.
+    static Scene between(const Scene& from, const Scene& to, double t);
+
     /// From the scene as it is to a step of the lesson.
     void start(std::shared_ptr<const Lesson> lesson, std::size_t step, const Scene& scene);
     void stop() { lesson_.reset(), way_.reset(); }

@@ -4,9 +4,13 @@
 import json
 import pathlib
 import re
+import shutil
+import signal
+import subprocess
+import time
 import unittest
 
-from support import SMALL, CommandTest
+from support import NORMALSCOPE, SMALL, CommandTest
 
 LESSONS = sorted((pathlib.Path(__file__).resolve().parents[2] / "assets" / "lessons").glob("*.json"))
 
@@ -69,6 +73,59 @@ class LessonsTest(CommandTest):
         self.assertIn("n</i><sub>naive</sub>", page)
         for step in steps:
             self.assertIn(step["caption"], page)
+
+
+class AnimateTest(CommandTest):
+    def setUp(self):
+        super().setUp()
+        self.lesson = self.file("two.json", json.dumps({"lesson": "Two", "steps": [
+            {"caption": "a", "scene": {"stack": [{"scale": [1, 1, 1]}]}},
+            {"caption": "b", "scene": {"stack": [{"scale": [1, 3, 1]}]}}]}))
+        self.out = self.folder / "out"
+        self.out.mkdir()
+
+    def names(self):
+        return sorted(path.name for path in self.out.iterdir())
+
+    def test_pictures(self):
+        # A second of each step, and 0.9 s between them.
+        self.assert_done("animate", self.lesson, "-o", self.out / "%02d.png", *SMALL, "--fps", 10, "--seconds", 1)
+        self.assertEqual(self.names(), [f"{i:02}.png" for i in range(28)])
+        pictures = [(self.out / name).read_bytes() for name in self.names()]
+        self.assertEqual(len(set(pictures[:10])), 1)
+        self.assertEqual(len(set(pictures[18:])), 1)
+        self.assertEqual(len(set(pictures[9:19])), 10)
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
+    def test_videos(self):
+        for name, magic in (("v.gif", b"GIF89a"), ("v.mp4", b"ftyp"), ("v.webm", b"\x1aE\xdf\xa3")):
+            self.assert_done("animate", self.lesson, "-o", self.out / name, *SMALL, "--fps", 4, "--seconds", 1)
+            self.assertIn(magic, (self.out / name).read_bytes()[:16])
+        self.assertEqual(self.names(), ["v.gif", "v.mp4", "v.webm"])
+
+    @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
+    def test_a_cancel_leaves_nothing(self):
+        # While it draws, and while ffmpeg works.
+        for waits_for in ("000000.png", "ffmpeg.log"):
+            child = subprocess.Popen([NORMALSCOPE, "animate", self.lesson, "-o", self.out / "v.webm", "--fps", "60",
+                                      "--size", "640x480", "--seconds", "3"], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            while not list(self.out.glob(f"*/{waits_for}")):
+                self.assertIsNone(child.poll())
+                time.sleep(0.01)
+            child.send_signal(signal.SIGINT)
+            _, said = child.communicate(timeout=60)
+            self.assertEqual((child.returncode, self.names()), (130, []))
+            self.assertEqual(said.decode().splitlines()[-1], "normalscope: cancelled; no video was written")
+
+    def test_errors(self):
+        self.assert_fails(2, "animate", self.lesson, "-o", self.out / "v.avi", says="--output")
+        self.assert_fails(2, "animate", self.lesson, "-o", self.out / "v.gif", "--fps", 0, says="--fps")
+        self.assert_fails(3, "animate", "none", "-o", self.out / "v.gif", says=LESSONS[0].stem)
+        self.assert_fails(3, "animate", self.lesson, "-o", self.out / "v.gif", env={"PATH": "/none"},
+                          says="install the package ffmpeg")
+        (self.out / "file").write_text("")
+        self.assert_fails(3, "animate", self.lesson, "-o", self.out / "file" / "%d.png", says=("file", "cannot be written"))
+        self.assertEqual(self.names(), ["file"])
 
 
 class LinksTest(CommandTest):
