@@ -1,11 +1,28 @@
 #include "opening.h"
 
 #include "core/exercise.h"
+#include "core/mesh_file.h"
 #include "core/scene_file.h"
 
 #include <random>
+#include <set>
+#include <variant>
 
 namespace normalscope {
+
+namespace {
+
+// The steps' surfaces are made when they are reached, which must not fail in the middle of a lecture. Shapes and formulas
+// have been checked as they were read; of a mesh file only its reader knows.
+void read_meshes(const Lesson& lesson) {
+    std::set<std::string> files;
+    for (const LessonStep& step : lesson.steps)
+        if (const auto* surface = std::get_if<MeshSurface>(&step.scene.surface);
+            surface && files.insert(surface->mesh).second)
+            (void)load_mesh(surface->mesh);
+}
+
+}  // namespace
 
 bool is_more_than_a_scene(const std::string& file) {
     return exercises_name(file).has_value() || is_lesson(file) || lesson_place(file).has_value();
@@ -22,8 +39,8 @@ Opened open_file(const std::string& file, const Scene& scene) {
     if (place || is_lesson(file)) {
         opened.lesson = std::make_shared<const Lesson>(load_lesson(place ? place->lesson : file));
         if (place) opened.step = place->step;
-        // The steps' own surfaces are made when they are reached, but none that cannot be made.
-        for (const LessonStep& step : opened.lesson->steps) (void)opened.surfaces->get(step.scene);
+        read_meshes(*opened.lesson);
+        (void)opened.surfaces->get(opened.lesson->steps[opened.step.value_or(0)].scene);
         return opened;
     }
     opened.scene = is_mesh_file(file) ? with_mesh(scene, file) : load_scene(file);

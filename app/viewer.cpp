@@ -16,6 +16,7 @@
 #include "gui.h"
 #include "lecture_keys.h"
 #include "opening.h"
+#include "pace.h"
 #include "pointer.h"
 #include "settings.h"
 
@@ -100,7 +101,8 @@ private:
     } current_{window_};
     Renderer renderer_;
     Gui gui_{Gui::Brush::Gl, window_.handle()};
-    std::optional<Target> target_, rough_target_;  // the latter while a formula's surface moves
+    std::optional<Target> target_, rough_target_;  // the latter while something moves that takes its time
+    Pace pace_;
     std::unique_ptr<SurfaceCache> surfaces_ = std::make_unique<SurfaceCache>();
     LevelSetsCache level_sets_;
 
@@ -120,7 +122,7 @@ private:
         PixelRect rect;
         std::optional<int> hot_axis;
         std::optional<Highlight> highlight;
-        bool draft = false;
+        bool draft = false, rough = false;
         std::optional<Vector<World>> guess;
         friend bool operator==(const Drawn&, const Drawn&) = default;
     };
@@ -334,6 +336,7 @@ Frame Viewer::frame_now(bool handles) {
 }
 
 bool Viewer::redraw() {
+    const auto began = std::chrono::steady_clock::now();
     const glm::ivec2 size = window_.framebuffer_size();
     if (size.x < 1 || size.y < 1) return false;
     if (!target_ || target_->size() != size) {
@@ -362,10 +365,10 @@ bool Viewer::redraw() {
         frames_wanted_ = kFramesAfterEvent;
     }
     // While only the interface changes, as in a dialog, the samples still hold the picture.
+    const bool rough = pace_.rough(frame_->draft) || (frame_->draft && frame_->surface->implicit);
     const Drawn now{
-        shown_scene(), frame_->surface,       frame_->rect, pointer_.hot_axis(), gui_.interface.highlighted(),
-        frame_->draft, gui_.interface.guess()};
-    const bool rough = now.draft && frame_->surface->implicit;
+        shown_scene(), frame_->surface, frame_->rect,          pointer_.hot_axis(), gui_.interface.highlighted(),
+        frame_->draft, rough,           gui_.interface.guess()};
     if (rough && !rough_target_) rough_target_.emplace(size, 1);
     Target& target = rough ? *rough_target_ : *target_;
     if (drawn_ != now)
@@ -374,6 +377,10 @@ bool Viewer::redraw() {
         renderer_.draw_again(*frame_, target);
     drawn_ = now;
     gui_.draw();
+    if (frame_->draft) {
+        Target::finish();  // swapping waits for the screen besides
+        pace_.took(std::chrono::steady_clock::now() - began);
+    }
     target.show();
     glfwSwapBuffers(window_.handle());
 

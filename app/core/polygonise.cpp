@@ -10,8 +10,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace normalscope {
 
@@ -205,6 +206,14 @@ void SurfaceNet::trim() {
         }
 }
 
+// Whether each occurs an even number of times: no edge is open.
+bool all_in_pairs(std::vector<std::uint64_t> edges) {
+    std::ranges::sort(edges);
+    for (std::size_t i = 0; i + 1 < edges.size(); i += 2)
+        if (edges[i] != edges[i + 1]) return false;
+    return edges.size() % 2 == 0;
+}
+
 Mesh SurfaceNet::mesh() {
     Mesh mesh;
     std::vector<std::uint32_t> used(positions_.size(), kNoVertex);
@@ -224,15 +233,16 @@ Mesh SurfaceNet::mesh() {
         const double length = glm::length(gradients_[v]);
         mesh.normals.push_back(length > 0.0 && std::isfinite(length) ? gradients_[v] / length : glm::dvec3(0.0));
     }
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> open;
+    std::vector<std::uint64_t> edges;
+    edges.reserve(3 * triangles_.size());
     for (const glm::uvec3& t : triangles_) {
         mesh.triangles.push_back({used[t.x], used[t.y], used[t.z]});
         for (int k = 0; k < 3; ++k) {
             const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
-            open[{a, b}] ^= 1;
+            edges.push_back(std::uint64_t{a} << 32 | b);
         }
     }
-    mesh.closed = std::ranges::none_of(open, [](const auto& edge) { return edge.second != 0; });
+    mesh.closed = all_in_pairs(std::move(edges));
     return mesh;
 }
 

@@ -76,6 +76,8 @@ void Target::bind_samples(const PixelRect& box) {
 
 GLuint Target::sample_colors() const { return held_ ? held_->color.id() : 0; }
 
+void Target::finish() { glFinish(); }
+
 void Target::show() const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.id());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);

@@ -31,6 +31,8 @@ public:
     /// The samples' colours: a GL_TEXTURE_2D_MULTISAMPLE.
     GLuint sample_colors() const;
 
+    /// Waits until all is drawn.
+    static void finish();
     /// Copies the picture to the window's framebuffer.
     void show() const;
     /// The picture, top row first.

@@ -1,0 +1,155 @@
+// What a lecturer waits for, drawn off-screen as the window draws it: from a lesson's name to its first step's picture, and
+// the frames on the way from step to step, with the panel and in presenter mode. Prints one line of JSON, by lesson, or
+// for the lesson that is named.
+
+#include "core/frame.h"
+#include "core/lesson.h"
+#include "core/lesson_player.h"
+#include "core/slice.h"
+#include "core/surface.h"
+#include "display_scale.h"
+#include "gl/renderer.h"
+#include "gl/target.h"
+#include "gui.h"
+#include "opening.h"
+#include "pace.h"
+#include "platform/context.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+using namespace normalscope;
+
+namespace {
+
+constexpr glm::ivec2 kSize(1280, 720);
+constexpr int kFramesBetweenSteps = 12;
+
+class Stopwatch {
+public:
+    std::chrono::duration<double> seconds() const { return std::chrono::steady_clock::now() - start_; }
+    double milliseconds() const { return 1000.0 * seconds().count(); }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+class Window {
+public:
+    explicit Window(bool presenting) : scale_(DisplayScale{}.of(1.0f, kSize, presenting)) {
+        gui_.interface.present(presenting);
+    }
+
+    void open(const std::string& lesson) {
+        Opened opened = open_file(lesson, scene_);
+        surfaces_ = std::move(opened.surfaces);
+        lesson_ = opened.lesson;
+        gui_.interface.open_lesson(std::move(opened.lesson), scene_, 0);
+        scene_ = lesson_->steps.front().scene;
+    }
+    void draw(const Scene& scene, std::size_t step, bool moving) {
+        const Stopwatch watch;
+        if (step != step_) gui_.interface.open_lesson(lesson_, scene, step_ = step);
+        const std::shared_ptr<const Surface> surface = surfaces_->get(scene);
+        const Frame frame = make_frame(scene, surface,
+                                       {.rect = gui_.interface.picture(kSize),
+                                        .pixel_scale = scale_,
+                                        .handles = true,
+                                        .draft = moving,
+                                        .level_sets = level_sets_.get(scene, surface->implicit)});
+        Status status;
+        const Transform<World, Object> m = world_from_object(scene);
+        if (const auto naive = normal_map(scene, m, Rule::Naive))
+            status.errors = error_statistics(surface->mesh, *naive, m.normal_matrices_by_rule());
+        Scene shown = scene;
+        gui_.layout(kSize, scene.theme, scale_, [&] { gui_.interface.draw(shown, frame, status); });
+        const bool rough = pace_.rough(moving) || (moving && surface->implicit);
+        renderer_.draw(frame, rough ? rough_target_ : target_);
+        gui_.draw();
+        glFinish();
+        pace_.took(watch.seconds());
+    }
+
+    const Lesson& lesson() const { return *lesson_; }
+
+private:
+    float scale_;
+    Pace pace_;
+    Target target_{kSize, 4}, rough_target_{kSize, 1};
+    Renderer renderer_;
+    Gui gui_{Gui::Brush::Gl};
+    std::unique_ptr<SurfaceCache> surfaces_;
+    LevelSetsCache level_sets_;
+    Scene scene_;
+    std::shared_ptr<const Lesson> lesson_;
+    std::size_t step_ = 0;
+};
+
+struct Took {
+    double opening = 0.0;       // until the picture is there
+    std::vector<double> steps;  // a frame's median, on the way to each
+};
+
+Took measure(const std::string& lesson, bool presenting) {
+    Window window(presenting);  // the one before is gone: there is just one Dear ImGui
+    Took took;
+    std::vector<double> openings;
+    for (int i = 0; i < 6; ++i) {
+        const Stopwatch watch;
+        window.open(lesson);
+        window.draw(window.lesson().steps.front().scene, 0, false);
+        if (i > 0) openings.push_back(watch.milliseconds());  // the first one compiles shaders
+    }
+    took.opening = median(openings);
+    const std::vector<LessonStep>& steps = window.lesson().steps;
+    for (std::size_t i = 1; i < steps.size(); ++i) {
+        std::vector<double> frames;
+        window.draw(steps[i - 1].scene, i - 1, false);
+        for (int k = -1; k < kFramesBetweenSteps; ++k) {
+            const Scene scene = LessonPlayer::between(steps[i - 1].scene, steps[i].scene,
+                                                      (std::max(k, 0) + 1.0) / (kFramesBetweenSteps + 1.0));
+            const Stopwatch watch;
+            window.draw(scene, i, true);
+            if (k >= 0) frames.push_back(watch.milliseconds());  // the one before compiles and builds what is new
+        }
+        took.steps.push_back(median(frames));
+    }
+    return took;
+}
+
+void print(const char* name, const std::vector<double>& values) {
+    std::printf(", \"%s\": [", name);
+    for (std::size_t i = 0; i < values.size(); ++i) std::printf("%s%.1f", i == 0 ? "" : ", ", values[i]);
+    std::printf("]");
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    const auto context = make_offscreen_context(ContextChoice::Auto);
+    context->make_current();
+    std::printf("{");
+    bool first = true;
+    for (const BuiltInLesson& lesson : built_in_lessons()) {
+        if (count > 1 && lesson.name != arguments[1]) continue;
+        const Took plain = measure(lesson.name, false);
+        std::printf("%s\"%s\": {\"opening_ms\": %.1f", first ? "" : ", ", lesson.name.c_str(), plain.opening);
+        print("frame_ms", plain.steps);
+        print("presenting_frame_ms", measure(lesson.name, true).steps);
+        std::printf("}");
+        first = false;
+    }
+    std::printf("}\n");
+}
