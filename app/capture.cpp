@@ -72,7 +72,8 @@ Capture Studio::capture(const Scene& scene, const CaptureOptions& options) {
     if (options.ground == Ground::Scene) return draw(scene, options, std::nullopt);
     Capture white = draw(scene, options, glm::vec3(1.0f));
     if (options.ground == Ground::White) return white;
-    return {matte(draw(scene, options, glm::vec3(0.0f)).image, white.image), std::move(white.numbers)};
+    white.image = matte(draw(scene, options, glm::vec3(0.0f)).image, white.image);
+    return white;
 }
 
 Capture Studio::draw(const Scene& scene, const CaptureOptions& options, const std::optional<glm::vec3>& plain_ground) {
@@ -132,7 +133,8 @@ Capture Studio::draw(const Scene& scene, const CaptureOptions& options, const st
     if (interface || has_words(frame)) words = std::async(std::launch::async, lay_out);
 
     equipment_->renderer->draw(frame, target);
-    Capture result{target.read(), {}};
+    Capture result{.image = target.read()};
+    if (surface->implicit) result.note = surface->mesh.note;
     if (words.valid()) {
         words.get();
         gui->paint(result.image);

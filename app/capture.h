@@ -28,7 +28,8 @@ struct CaptureOptions {
 
 struct Capture {
     Image image;
-    std::string numbers;  ///< JSON text (DESIGN section 2)
+    std::string numbers{};  ///< JSON text (DESIGN section 2)
+    std::string note{};     ///< of a formula: why there is less to be seen than one may expect
 };
 
 /// Words and lines keep their share of the picture, whatever its size; the panel must stay legible in a small one.

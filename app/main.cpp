@@ -76,6 +76,7 @@ int run(const CaptureCommand& command) {
         Studio(command.context).capture(scene, capture_options(command, command.numbers.has_value()));
     if (!vector) write_png(command.output, result.image);
     if (command.numbers) write_file(*command.numbers, result.numbers);
+    if (!result.note.empty()) std::fprintf(stderr, "normalscope: %s\n", result.note.c_str());
     return command.expected ? compare_capture(command, result.image) : 0;
 }
 

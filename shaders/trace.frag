@@ -51,20 +51,36 @@ void main() {
     float narrowest = NARROWEST * (to - from);
     float low = from, width = POLYNOMIAL ? to - from : 0.25 * (to - from);
     float f_low = f(o + low * d), f_most = 0.0;
+    // Of the narrow parts up to here in a row: the least |f| and where it was, the largest before that, and the largest.
+    float dip = 0.0, nearest = 0.0, peak = 0.0, highest = 0.0;
+    bool fresh = true;  // none in this row yet
     for (int attempt = 0; attempt < ATTEMPTS; ++attempt) {
         // The first part with a root: f differs in sign at its ends, or only touches zero at `left`.
         bool found = false, crosses = false;
-        float left = 0.0, right = 0.0, f_left = 0.0, f_right = 0.0, f_small = 0.0;
+        float left = 0.0, right = 0.0, f_left = 0.0, f_right = 0.0, f_small = 0.0, f_end = 0.0;
         for (int i = 0; i < STEPS; ++i) {
             float s[DEGREE + 1], c[DEGREE + 1];
             s[0] = f_low;
-            float largest = abs(f_low), smallest = abs(f_low), nearest = low;
+            float largest = abs(f_low), smallest = abs(f_low);
+            bool narrow = width < 1.5 * narrowest, touches = false;
+            if (narrow && fresh) {
+                dip = highest = abs(f_low);
+                nearest = low;
+                peak = 0.0;
+            }
             for (int j = 1; j <= DEGREE; ++j) {
-                float at = low + width * POINTS[j];
-                s[j] = f(o + at * d);
-                largest = max(largest, abs(s[j]));
-                nearest = abs(s[j]) < smallest ? at : nearest;
-                smallest = min(smallest, abs(s[j]));
+                float at = low + width * POINTS[j], size = abs(s[j] = f(o + at * d));
+                largest = max(largest, size);
+                smallest = min(smallest, size);
+                if (!narrow) continue;
+                // It touches zero where it is much nearer than before and after.
+                touches = touches || (size >= dip && dip < 0.4 * min(peak, size));
+                if (size < dip) {
+                    dip = size;
+                    nearest = at;
+                    peak = highest;
+                }
+                highest = max(highest, size);
             }
             to_bernstein(s, c);
             float least = c[0], most = c[0], changes = 0.0;
@@ -81,19 +97,23 @@ void main() {
                 slack += 2.0 * last;
                 faithful = last < 0.02 * (most - least) && largest < LARGEST;
             }
-            bool free = least > slack || most < -slack, narrow = width < 1.5 * narrowest;
+            bool free = least > slack || most < -slack;
             crosses = s[DEGREE] < 0.0 != f_low < 0.0;
-            found = !free && ((crosses && changes == 1.0 && faithful) ||
-                              (narrow && (POLYNOMIAL || crosses || smallest < 0.5 * min(abs(f_low), abs(s[DEGREE])))));
+            // What looks free after narrow parts may go on from a kink at their end.
+            touches = touches || (free && !narrow && !fresh && smallest >= dip && dip < 0.4 * min(peak, largest));
+            found = (!free && ((crosses && changes == 1.0 && faithful) || (narrow && (POLYNOMIAL || crosses)))) ||
+                    (!POLYNOMIAL && touches);
             if (found) {
                 left = crosses ? low : nearest;
                 right = low + width;
                 f_left = f_low;
                 f_right = s[DEGREE];
                 f_small = smallest;
+                f_end = min(abs(f_low), abs(s[DEGREE]));
                 break;
             }
             if (free || narrow) {
+                fresh = !narrow;
                 low += width;
                 f_low = s[DEGREE];
                 if (low >= to - 0.5 * narrowest) break;
@@ -127,16 +147,21 @@ void main() {
             if (done) break;
         }
         vec3 p = o + t * d;
-        // A pole changes its sign as well, but f grows towards it; and where f has no value there is no surface.
-        if (!POLYNOMIAL && (abs(f_t) > 2.0 * f_small || !is_defined(p))) {
+        vec3 n = gradient(p);
+        // At a pole f changes its sign as well, but grows towards it; at a jump it stays farther from 0 than its slope
+        // explains; and where it has no value there is no surface.
+        float explained = 2e-5 * (to - from) * abs(dot(n, d)) + 4.0 * ROUNDING * f_end;
+        if (!POLYNOMIAL && (!(abs(f_t) <= 2.0 * f_small) || abs(f_t) > explained || !is_defined(p))) {
             width = min(narrowest, to - low);
+            fresh = true;
             if (low >= to - 0.5 * narrowest) return;
             continue;
         }
-        vec3 n = gradient(p);
         // Where f only touches zero, as a square does, its gradient may be but rounding: a point nearer to the eye has one.
         if (!crosses && length(n) * length(d) * narrowest < 4.0 * ROUNDING * f_most)
             n = gradient(p - 4.0 * narrowest * d);
+        // At a kink, as |g| has, rounding says which side's gradient it is.
+        if (!crosses && side * dot(n, d) > 0.0) n = -n;
         // Divided first by the largest: squares of floats overflow soon.
         float size = max(abs(n.x), max(abs(n.y), abs(n.z)));
         n = size > 1e-30 ? normalize(n / size) : vec3(0.0);

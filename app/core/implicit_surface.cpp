@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kRegionDepth = 4;  // 16 cells a side
 constexpr int kMostDegreeOnGpu = 60;
+constexpr int kMostSteps = 200;  // to a root: enough for one of multiplicity 8
 
 // What is left of the cube when the parts without a zero are left out, halved so many times.
 void add_where_zero(const ImplicitSurface& surface, const formulas::Box& box, int depth, bool first, double ball,
@@ -107,7 +108,7 @@ std::optional<double> ImplicitSurface::first_hit(const Ray<Object>& ray) const {
 
 std::optional<Point<Object>> ImplicitSurface::onto_surface(Point<Object> start, double reach) const {
     glm::dvec3 p = start.xyz;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < kMostSteps; ++i) {
         const formulas::Sample s = formulas::sample(program_, p);
         if (std::isnan(s.value)) return std::nullopt;
         const double slope2 = glm::dot(s.gradient, s.gradient);
@@ -119,7 +120,7 @@ std::optional<Point<Object>> ImplicitSurface::onto_surface(Point<Object> start, 
         if (next == p || glm::length(step) < 1e-15 * source_.bound) return Point<Object>{next};
         p = next;
     }
-    // At a double point the steps halve the distance and no more; what is as near as this lies on it.
+    // At a root of multiplicity m the steps leave 1 − 1/m of the distance; what is as near as this lies on it.
     const formulas::Sample s = formulas::sample(program_, p);
     if (std::abs(s.value) <= 1e-12 * glm::length(s.gradient) * source_.bound) return Point<Object>{p};
     return std::nullopt;

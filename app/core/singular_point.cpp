@@ -23,6 +23,7 @@ namespace {
 constexpr double kAsGoodAsLimits = 1e-3;
 constexpr double kAround = 0.02;
 constexpr double kVanished = 1e-6;  ///< against |∇f| at that distance
+constexpr double kOneSheet = 0.05;  ///< against the largest singular value: how far from one sheet it may be
 constexpr int kMeridians = 144, kParallels = 72;
 
 bool finite(const glm::dvec3& v) { return std::isfinite(glm::dot(v, v)); }
@@ -157,6 +158,34 @@ private:
     std::vector<std::vector<std::uint32_t>> chains_;
 };
 
+// Where f touches 0 without changing its sign, as a square does, the sphere has no such curves. Over and under such a
+// sheet ∇f points away from it, or towards it, on either side: so the differences of ∇f across the point, one for each
+// axis, are all along one line, the sheet's normal.
+std::vector<std::vector<SingularPoint::Neighbour>> above_and_below(const ImplicitSurface& surface, Point<Object> p,
+                                                                   double radius) {
+    glm::dmat3 differences;
+    for (glm::length_t i = 0; i < 3; ++i) {
+        glm::dvec3 step(0.0);
+        step[i] = kAsGoodAsLimits * surface.source().bound;
+        differences[i] = surface.at({p.xyz + step}).gradient - surface.at({p.xyz - step}).gradient;
+        if (!finite(differences[i])) return {};
+    }
+    const SingularValues parts = singular_values(differences);
+    if (!(parts.sigma.y < kOneSheet * parts.sigma.x)) return {};
+    std::vector<std::vector<SingularPoint::Neighbour>> sides;
+    for (const double side : {1.0, -1.0}) {
+        const glm::dvec3 at = p.xyz + side * radius * parts.u[0], g = surface.at({at}).gradient;
+        if (finite(g) && glm::length(g) > 0.0) sides.push_back({{{at}, {glm::normalize(g)}}});
+    }
+    return sides;
+}
+
+std::vector<std::vector<SingularPoint::Neighbour>> neighbours(const ImplicitSurface& surface, Point<Object> p,
+                                                              double radius) {
+    auto curves = Ring(surface, p, radius).curves();
+    return curves.empty() ? above_and_below(surface, p, radius) : curves;
+}
+
 // Down f along the sphere, to the curve itself.
 glm::dvec3 onto_curve(const ImplicitSurface& surface, const glm::dvec3& centre, double radius, glm::dvec3 direction) {
     for (int k = 0; k < 12; ++k) {
@@ -273,7 +302,7 @@ glm::dvec3 toward(const Borrow& borrow) {
 }
 
 std::optional<SingularPoint::Neighbour> lender(const ImplicitSurface& surface, Point<Object> p, const Borrow& borrow) {
-    return nearest(surface, p.xyz, Ring(surface, p, SingularPoint::kLenders * surface.source().bound).curves(),
+    return nearest(surface, p.xyz, neighbours(surface, p, SingularPoint::kLenders * surface.source().bound),
                    toward(borrow));
 }
 
@@ -281,11 +310,11 @@ SingularPoint singular_point(const ImplicitSurface& surface, Point<Object> p, co
     SingularPoint result;
     result.at = p;
     result.undefined = !finite(surface.at(p).gradient);
-    for (const auto& curve : Ring(surface, p, kAsGoodAsLimits * surface.source().bound).curves()) {
+    for (const auto& curve : neighbours(surface, p, kAsGoodAsLimits * surface.source().bound)) {
         result.fan.emplace_back();
         for (const SingularPoint::Neighbour& n : curve) result.fan.back().push_back(n.normal);
     }
-    const auto lenders = Ring(surface, p, SingularPoint::kLenders * surface.source().bound).curves();
+    const auto lenders = neighbours(surface, p, SingularPoint::kLenders * surface.source().bound);
     result.spread_degrees = spread(lenders);
     if (borrow) result.lender = nearest(surface, p.xyz, lenders, toward(*borrow));
     return result;

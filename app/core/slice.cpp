@@ -145,10 +145,6 @@ private:
     }
 
     void add_quad(glm::dvec2 low, glm::dvec2 high, int band) {
-        // A little larger: where it meets the corner of a smaller one, rounding would leave holes between them.
-        const double overlap = 0.02 * 2.0 / kCells * sets_.reach;
-        low -= overlap;
-        high += overlap;
         const glm::dvec3 a = lift(low), b = lift({high.x, low.y}), c = lift(high), d = lift({low.x, high.y});
         sets_.patches.push_back({{a, b, c}, band});
         sets_.patches.push_back({{a, c, d}, band});

@@ -66,10 +66,17 @@ public:
     }
 
     void bands() {
+        // A little larger than they are: where one's side meets another's corner, rounding would leave holes.
+        const double overlap = 3e-4 * sets_.reach;
         for (const LevelSets::Patch& patch : sets_.patches) {
             const glm::vec4 color(band_color(patch.band, theme_), 1.0f);
-            for (const glm::dvec3& corner : patch.corners)
-                pane_.solids.push_back({glm::vec3(at(corner)), glm::vec3(0.0f), color});
+            const glm::dvec3 middle = (patch.corners[0] + patch.corners[1] + patch.corners[2]) / 3.0;
+            for (const glm::dvec3& corner : patch.corners) {
+                const glm::dvec3 away = corner - middle;
+                const double length = glm::length(away);
+                const glm::dvec3 moved = length > 0.0 ? corner + overlap / length * away : corner;
+                pane_.solids.push_back({glm::vec3(at(moved)), glm::vec3(0.0f), color});
+            }
         }
     }
 

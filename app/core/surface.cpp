@@ -1,5 +1,6 @@
 #include "core/surface.h"
 
+#include "core/formula_note.h"
 #include "core/mesh_file.h"
 #include "core/overload.h"
 #include "core/shapes.h"
@@ -22,34 +23,6 @@ constexpr int kFormulaCells = 40;  // a side: some thousand vertices for arrows 
 bool lies_on(const ImplicitSurface& surface, Point<Object> p) {
     const formulas::Sample s = surface.at(p);
     return std::abs(s.value) <= 1e-9 * glm::length(s.gradient) * surface.source().bound;
-}
-
-constexpr int kTrialRays = 16;  // along each axis, a side
-
-// Whether any of a grid of rays meets it: a formula such as (x − 1)² touches zero without crossing it.
-bool rays_meet(const ImplicitSurface& surface) {
-    const double bound = surface.source().bound;
-    for (glm::length_t axis = 0; axis < 3; ++axis)
-        for (int i = 0; i < kTrialRays * kTrialRays; ++i) {
-            glm::dvec3 from(0.0), along(0.0);
-            from[axis] = -2.0 * bound;
-            along[axis] = 1.0;
-            from[(axis + 1) % 3] = bound * (2.0 * (i % kTrialRays + 0.5) / kTrialRays - 1.0);
-            from[(axis + 2) % 3] = bound * (2.0 * (i / kTrialRays + 0.5) / kTrialRays - 1.0);
-            if (surface.first_hit({{from}, {along}})) return true;
-        }
-    return false;
-}
-
-// Why there is less to be seen of a formula than one may expect; empty where there is not.
-std::string note_on(const ImplicitSurface& surface, const Mesh& mesh) {
-    if (surface.zero_everywhere()) return "f is 0 everywhere: all of space, and no surface. Nothing is drawn.";
-    if (!mesh.triangles.empty()) return {};
-    const std::string within = surface.source().clip == Clip::Ball ? "the ball" : "the cube";
-    if (!surface.region() || !rays_meet(surface))
-        return "No zero of f was found within " + within + ", so nothing is drawn. Try a larger bound.";
-    return "f touches 0 within " + within +
-           " without changing its sign. Only rays find such a surface: it has no triangles, and no arrows.";
 }
 
 }  // namespace

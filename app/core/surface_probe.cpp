@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -13,15 +14,33 @@ namespace {
 
 // Of the bound. What is nearer to the surface than this was meant to lie on it.
 constexpr double kNear = 0.05;
+constexpr double kAround = 0.02;
+
+// A step from where f is but rounding would lead anywhere.
+bool lies_on(const ImplicitSurface& surface, const glm::dvec3& p) {
+    double around = 0.0;
+    for (glm::length_t i = 0; i < 3; ++i)
+        for (const double side : {-kAround, kAround}) {
+            glm::dvec3 q = p;
+            q[i] += side * surface.source().bound;
+            const double f = std::abs(surface.at({q}).value);
+            if (std::isfinite(f)) around = std::max(around, f);
+        }
+    return std::abs(surface.at({p}).value) <= 1e-13 * around;
+}
 
 std::optional<Probe> nearest_on(const ImplicitSurface& surface, const Mesh& mesh, Point<Object> p,
                                 const std::optional<Borrow>& borrow) {
+    if (surface.inside_clip(p.xyz) && lies_on(surface, p.xyz)) return probe_on(surface, p, borrow);
     const double reach = kNear * surface.source().bound;
     if (const auto on = surface.onto_surface(p, reach); on && surface.inside_clip(on->xyz))
         return probe_on(surface, *on, borrow);
     if (surface.at(p).value == 0.0) return probe_on(surface, p, borrow);
     const auto near = nearest_probe(mesh, p);
-    if (!near) return std::nullopt;
+    if (!near) {  // only rays find it
+        const auto on = surface.onto_surface(p, 2.0 * surface.source().bound);
+        return on && surface.inside_clip(on->xyz) ? std::optional(probe_on(surface, *on, borrow)) : std::nullopt;
+    }
     const auto on = surface.onto_surface(near->point, reach);
     return on ? probe_on(surface, *on, borrow) : near;
 }

@@ -5,7 +5,7 @@ import json
 import math
 import unittest
 
-from support import CommandTest, close_to
+from support import CommandTest, close_to, run
 
 
 def setting(formula):
@@ -19,6 +19,12 @@ class FormulaTest(CommandTest):
 
     def refused(self, surface, says):
         self.assert_fails(3, "explain", self.scene(surface=surface), says=says)
+
+    def told(self, formula):
+        """The one line that a capture says of it."""
+        done = run("capture", *setting(formula), "-o", self.folder / "p.png", "--size", "64x64")
+        self.assertEqual((done.returncode, done.stderr.count(b"\n")), (0, 1))
+        return done.stderr.decode()
 
     def test_what_is_no_formula(self):
         for formula, column in (("x^2+", 5), ("(x+y", 5), ("x+y)", 4), ("", 1), ("1/0", 2), ("log(-1)", 1), ("2 3", 3),
@@ -63,10 +69,18 @@ class FormulaTest(CommandTest):
             with self.subTest(formula):
                 explained = self.explained(*setting(formula))
                 self.assertIn(says, " ".join(explained["notes"]))
-                self.capture(*setting(formula))
+                self.assertIn(says, self.told(formula))
+        for formula, says in (("x^2+y^2", ("as at (0, 0, ", "never negative", "line")),
+                              ("(x-0.5)^2+y^2+z^2", ("at (0.5, 0, 0)", "never negative", "point")),
+                              ("-(x^2+y^2-1)^2-z^2", ("up to 0", "never positive", "line")),
+                              ("x^2+y^2+z^2-1e-9", "too small"), ("x^2+y^2+z^2+1e-8", "No zero")):
+            with self.subTest(formula):
+                for word in (says,) if isinstance(says, str) else says:
+                    self.assertIn(word, self.told(formula))
         for formula in ("x^y^z", "tan(20x)", "log(x)", "exp(1e3 x) - 1"):
             self.explained(*setting(formula))
-            self.capture(*setting(formula))
+            done = run("capture", *setting(formula), "-o", self.folder / "p.png", "--size", "64x64")
+            self.assertEqual(done.returncode, 0)
         self.assertIn("triangles", " ".join(self.explained("implicit-torus", "--set", "stack.0.scale=[1,0,1]")["notes"]))
 
     def test_the_gradient_at_the_probe(self):

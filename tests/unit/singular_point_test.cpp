@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
+#include <memory>
 
 namespace normalscope {
 namespace {
@@ -113,6 +114,28 @@ TEST(SingularPoint, TheProbeBorrowsOnlyWhenTold) {
     ASSERT_TRUE(exact);
     EXPECT_FALSE(exact->singular);
     EXPECT_NEAR(glm::distance(exact->normal.xyz, glm::normalize(glm::dvec3(0.6, -1.0, 0.8))), 0.0, 1e-12);
+}
+
+// (|p|² − 1)² is zero with its gradient all over the sphere; to either side of it the gradient points away from it.
+TEST(SingularPoint, ADoubledSphereHasTwoLimits) {
+    const ImplicitSurface doubled = surface("(x^2+y^2+z^2-1)^2");
+    const glm::dvec3 at(0.48, 0.6, 0.64);
+    const SingularPoint point = singular_point(doubled, {at}, Borrow{.azimuth = 30.0, .elevation = 30.0});
+    ASSERT_EQ(point.fan.size(), 2u);
+    for (const auto& side : point.fan) EXPECT_NEAR(std::abs(glm::dot(side.at(0).xyz, at)), 1.0, 1e-4);
+    EXPECT_NEAR(glm::dot(point.fan[0][0].xyz, point.fan[1][0].xyz), -1.0, 1e-4);
+    ASSERT_TRUE(point.lender);
+    EXPECT_NEAR(glm::dot(point.lender->normal.xyz, at), 1.0, 1e-4);
+}
+
+// Rounding makes f and its gradient there nearly 0, and their quotient anything.
+TEST(SingularPoint, AProbeOnANodeStays) {
+    const double s = std::sqrt(2.5);
+    const ImplicitSurface tanglecube = surface("x^4-5x^2+y^4-5y^2+z^4-5z^2+12.5", 3.0);
+    const auto probe = nearest_probe({.implicit = std::make_shared<const ImplicitSurface>(tanglecube)}, {{s, s, 0.0}});
+    ASSERT_TRUE(probe);
+    EXPECT_TRUE(probe->singular);
+    EXPECT_EQ(probe->point.xyz, glm::dvec3(s, s, 0.0));
 }
 
 TEST(SingularPoint, ASmoothSurfaceHasNone) {

@@ -22,8 +22,21 @@ Token function(Op op) { return {.type = TokenType::Function, .op = op}; }
 Token function(Function f) { return {.type = TokenType::Function, .function = f}; }
 
 std::vector<Name> make_names() {
-    std::vector<Name> names{
-        {"sqrt", function(Function::Sqrt)}, {"exp", function(Function::Exp)}, {"ln", function(Op::Log)}};
+    std::vector<Name> names{{"sqrt", function(Function::Sqrt)},
+                            {"exp", function(Function::Exp)},
+                            {"ln", function(Op::Log)},
+                            {"sinh", function(Function::Sinh)},
+                            {"cosh", function(Function::Cosh)},
+                            {"tanh", function(Function::Tanh)},
+                            {"asinh", function(Function::Asinh)},
+                            {"acosh", function(Function::Acosh)},
+                            {"atanh", function(Function::Atanh)},
+                            {"cot", function(Function::Cot)},
+                            {"sec", function(Function::Sec)},
+                            {"csc", function(Function::Csc)},
+                            {"arcsin", function(Op::Asin)},
+                            {"arccos", function(Op::Acos)},
+                            {"arctan", function(Op::Atan)}};
     for (const Op op : {Op::Log, Op::Sin, Op::Cos, Op::Tan, Op::Asin, Op::Acos, Op::Atan, Op::Abs, Op::Min, Op::Max,
                         Op::Sign, Op::Where})
         names.push_back({function_name(op), function(op)});
@@ -74,8 +87,9 @@ constexpr std::array kSymbols{
     Symbol{"−", TokenType::Minus},  Symbol{"*", TokenType::Times}, Symbol{"·", TokenType::Times},
     Symbol{"×", TokenType::Times},  Symbol{"⋅", TokenType::Times}, Symbol{"/", TokenType::Divide},
     Symbol{"÷", TokenType::Divide}, Symbol{"^", TokenType::Power}, Symbol{"(", TokenType::Open},
-    Symbol{")", TokenType::Close},  Symbol{"|", TokenType::Bar},   Symbol{",", TokenType::Comma},
-    Symbol{"=", TokenType::Equals}};
+    Symbol{"[", TokenType::Open},   Symbol{"{", TokenType::Open},  Symbol{"]", TokenType::Close},
+    Symbol{"}", TokenType::Close},  Symbol{")", TokenType::Close}, Symbol{"|", TokenType::Bar},
+    Symbol{",", TokenType::Comma},  Symbol{"=", TokenType::Equals}};
 constexpr std::array<std::string_view, 10> kSuperscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 
 class Lexer {

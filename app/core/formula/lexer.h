@@ -28,8 +28,8 @@ enum class TokenType {
     End
 };
 
-/// What is written like a function. Sqrt and exp are powers, so they are no Op.
-enum class Function { Sqrt, Exp, Of };
+/// What is written like a function. But for those of an Op they stand for what they are made of: sqrt and exp are powers.
+enum class Function { Sqrt, Exp, Sinh, Cosh, Tanh, Asinh, Acosh, Atanh, Cot, Sec, Csc, Of };
 
 struct Token {
     TokenType type = TokenType::End;

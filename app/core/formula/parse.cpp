@@ -283,11 +283,43 @@ private:
         operand = {Operand::Open::No, {result}, operand.column};
     }
 
+    Id exp(Id u) { return g_.power(g_.euler(), u); }
+
+    // By exponentials and logarithms, which have derivatives and bounds already.
+    Id hyperbolic(Function f, Id u) {
+        const Id one = g_.number(1), half = g_.number(Number::ratio(1, 2));
+        switch (f) {
+            case Function::Sinh: return g_.multiply({half, g_.subtract(exp(u), exp(g_.negate(u)))});
+            case Function::Cosh: return g_.multiply({half, g_.add({exp(u), exp(g_.negate(u))})});
+            // 1 − 2/(e^(2u) + 1): where e^(2u) overflows it is still 1.
+            case Function::Tanh: {
+                const Id sum = g_.add({exp(g_.multiply({g_.number(2), u})), one});
+                return g_.subtract(one, g_.divide(g_.number(2), sum));
+            }
+            case Function::Atanh:
+                return g_.multiply({half, g_.apply(Op::Log, {g_.divide(g_.add({one, u}), g_.subtract(one, u))})});
+            default: {
+                const Id square = g_.power(u, g_.number(2));
+                const Id root = g_.sqrt(f == Function::Asinh ? g_.add({square, one}) : g_.subtract(square, one));
+                return g_.apply(Op::Log, {g_.add({u, root})});
+            }
+        }
+    }
+
     Id called(const Pending& call, const std::vector<Id>& args) {
         Id result = args[0];
         switch (call.function.function) {
             case Function::Sqrt: result = g_.sqrt(result); break;
-            case Function::Exp: result = g_.power(g_.euler(), result); break;
+            case Function::Exp: result = exp(result); break;
+            case Function::Sinh:
+            case Function::Cosh:
+            case Function::Tanh:
+            case Function::Asinh:
+            case Function::Acosh:
+            case Function::Atanh: result = hyperbolic(call.function.function, result); break;
+            case Function::Cot: result = g_.divide(g_.number(1), g_.apply(Op::Tan, {result})); break;
+            case Function::Sec: result = g_.divide(g_.number(1), g_.apply(Op::Cos, {result})); break;
+            case Function::Csc: result = g_.divide(g_.number(1), g_.apply(Op::Sin, {result})); break;
             case Function::Of:
                 if (args.size() <= 1 || call.function.op == Op::Where)
                     result = g_.apply(call.function.op, args);
