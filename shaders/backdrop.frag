@@ -11,10 +11,12 @@ uniform vec3 eye;
 uniform float ground;       // height of the grid
 uniform float grid_amount;  // 0: no grid
 uniform mat3 shadow;        // from (x, z, 1) on the ground to the unit disc
+#ifdef RESOLVE
 uniform sampler2DMS drawn;  // colours times alpha
-uniform int samples;        // 0: nothing has been drawn yet
+uniform int samples;
 uniform ivec2 drawn_low;    // the pixel that the samples begin with,
 uniform ivec2 drawn_size;   // and how many they go on for
+#endif
 
 out vec4 color;
 
@@ -36,11 +38,14 @@ vec3 backdrop() {
 }
 
 void main() {
+    color = vec4(backdrop(), 1.0);
+#ifdef RESOLVE
     ivec2 at = ivec2(gl_FragCoord.xy) - drawn_low;
     bool inside = min(at.x, at.y) >= 0 && at.x < drawn_size.x && at.y < drawn_size.y;
     int count = inside ? samples : 0;
     vec4 sum = vec4(0.0);
     for (int i = 0; i < count; ++i) sum += texelFetch(drawn, at, i);
-    sum /= float(max(samples, 1));
-    color = vec4(sum.rgb + (1.0 - sum.a) * backdrop(), 1.0);
+    sum /= float(samples);
+    color.rgb = sum.rgb + (1.0 - sum.a) * color.rgb;
+#endif
 }

@@ -1,8 +1,10 @@
 #include "core/drawn_box.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include <limits>
+#include <span>
 
 namespace normalscope {
 
@@ -32,6 +34,11 @@ public:
             add_cube(glm::dvec3(world) / world.w, reach);
         }
     }
+    void add_point(const glm::dmat4& world_from_object, const glm::dvec3& p) {
+        const glm::dvec4 world = world_from_object * glm::dvec4(p, 1.0);
+        in_front_ = in_front_ && world.w > 0.0;
+        add(glm::dvec3(world) / world.w);
+    }
     /// In the pane's pixels, cut to the pane.
     PixelRect box(glm::ivec2 size) const {
         constexpr double kMargin = 2.0;  // samples lie beside a pixel's centre, and the driver snaps vertices
@@ -51,6 +58,25 @@ private:
 
 bool empty(const PixelRect& rect) { return rect.size.x <= 0 || rect.size.y <= 0; }
 
+// So few points are looked at one by one, every frame; of more, the corners of a box tell enough.
+constexpr std::size_t kFew = 5000;
+
+void add_surface(Bounds& bounds, const Mesh& mesh, const glm::dmat4& world_from_object) {
+    for (const glm::dvec3& p : mesh.positions) bounds.add_point(world_from_object, p);
+}
+
+// Where scene.vert puts them.
+void add_arrows(Bounds& bounds, std::span<const Site> sites, const ArrowDraw& draw, double length, double reach) {
+    const glm::dmat4 world_from_object(draw.world_from_object);
+    for (const Site& site : sites) {
+        const glm::dvec4 base = world_from_object * glm::dvec4(site.point.xyz, 1.0);
+        const glm::dvec3 n = draw.normals(site.normal).xyz;
+        const glm::dvec3 along = n == glm::dvec3(0.0) ? n : length * glm::normalize(n);
+        bounds.add_cube(glm::dvec3(base) / base.w, reach);
+        bounds.add_cube(glm::dvec3(base) / base.w + along, reach);
+    }
+}
+
 }  // namespace
 
 PixelRect drawn_box(const Surface& surface, const Pane& pane) {
@@ -59,10 +85,18 @@ PixelRect drawn_box(const Surface& surface, const Pane& pane) {
     if (surface.implicit && surface.implicit->region())
         extent = glm::max(glm::abs(surface.implicit->region()->low), glm::abs(surface.implicit->region()->high));
     Bounds bounds(pane.view);
-    for (const SurfaceDraw& draw : pane.surfaces) bounds.add_object(draw.world_from_object, extent, 0.0);
+    for (const SurfaceDraw& draw : pane.surfaces)
+        if (!surface.implicit && surface.mesh.positions.size() <= kFew)
+            add_surface(bounds, surface.mesh, draw.world_from_object);
+        else
+            bounds.add_object(draw.world_from_object, extent, 0.0);
     for (const ArrowDraw& draw : pane.arrows) {
         const double lengths = draw.normals.at_pixels ? 1.0 : 3.0;  // normals left as long as they come out: scene.vert
-        bounds.add_object(draw.world_from_object, extent, lengths * double(draw.length) + 3.0 * double(draw.radius));
+        const double length = lengths * double(draw.length), reach = 3.0 * double(draw.radius);
+        if (surface.arrows.size() <= kFew)
+            add_arrows(bounds, surface.arrows, draw, length, reach);
+        else
+            bounds.add_object(draw.world_from_object, extent, length + reach);
     }
     for (const auto* solids : {&pane.solids, &pane.translucent})
         for (const SolidVertex& vertex : *solids) bounds.add(vertex.position);

@@ -36,6 +36,7 @@ struct ThemeColors {
     glm::vec3 inside;  ///< the back of an open surface
     glm::vec3 ghost;   ///< object-space things
     glm::vec3 text, text_shadow;
+    glm::vec3 panel;  ///< what stands beside the picture
 };
 constexpr ThemeColors theme_colors(Theme theme) {
     if (theme == Theme::DarkContrast)
@@ -46,7 +47,8 @@ constexpr ThemeColors theme_colors(Theme theme) {
                 .inside = rgb(0x968D80),
                 .ghost = rgb(0xC2C6CC),
                 .text = rgb(0xFFFFFF),
-                .text_shadow = rgb(0x000000)};
+                .text_shadow = rgb(0x000000),
+                .panel = rgb(0x000000)};
     if (theme == Theme::LightContrast)
         return {.background_top = rgb(0xFFFFFF),
                 .background_bottom = rgb(0xFFFFFF),
@@ -55,7 +57,8 @@ constexpr ThemeColors theme_colors(Theme theme) {
                 .inside = rgb(0xA89A83),
                 .ghost = rgb(0x55595E),
                 .text = rgb(0x000000),
-                .text_shadow = rgb(0xFFFFFF)};
+                .text_shadow = rgb(0xFFFFFF),
+                .panel = rgb(0xFFFFFF)};
     if (theme == Theme::Dark)
         return {.background_top = rgb(0x2A2D33),
                 .background_bottom = rgb(0x16181C),
@@ -64,7 +67,8 @@ constexpr ThemeColors theme_colors(Theme theme) {
                 .inside = rgb(0x8C8478),
                 .ghost = rgb(0xA3A8B0),
                 .text = rgb(0xECEEF1),
-                .text_shadow = rgb(0x111316)};
+                .text_shadow = rgb(0x111316),
+                .panel = rgb(0x1F2227)};
     return {.background_top = rgb(0xFBFBFA),
             .background_bottom = rgb(0xE6E7E8),
             .grid = rgb(0x9AA0A6),
@@ -72,7 +76,8 @@ constexpr ThemeColors theme_colors(Theme theme) {
             .inside = rgb(0xB3A58F),
             .ghost = rgb(0x80868C),
             .text = rgb(0x22262B),
-            .text_shadow = rgb(0xFFFFFF)};
+            .text_shadow = rgb(0xFFFFFF),
+            .panel = rgb(0xFFFFFF)};
 }
 
 constexpr glm::vec3 arrow_color(ArrowKind kind, Theme theme) {

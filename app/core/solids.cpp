@@ -11,7 +11,9 @@ namespace normalscope {
 
 namespace {
 
-constexpr int kSides = 14;
+// Around a cone or a ball, and around a line, which is a few pixels thick: on a processor, each triangle of a pixel or two
+// costs as much as one of sixteen.
+constexpr int kSides = 12, kLineSides = 8;
 
 struct Basis {
     glm::dvec3 u, v;
@@ -21,8 +23,8 @@ Basis perpendicular(const glm::dvec3& unit) {
     const glm::dvec3 u = glm::normalize(glm::cross(helper, unit));
     return {u, glm::cross(unit, u)};
 }
-glm::dvec3 around(const Basis& basis, int side) {
-    const double a = glm::two_pi<double>() * (side % kSides) / kSides;
+glm::dvec3 around(const Basis& basis, int side, int sides = kSides) {
+    const double a = glm::two_pi<double>() * (side % sides) / sides;
     return std::cos(a) * basis.u + std::sin(a) * basis.v;
 }
 
@@ -47,9 +49,11 @@ void add_band(Solids& solids, const glm::dvec3& from, double from_radius, const 
         const glm::dvec3 out = around(basis, side);
         return Corner{centre + radius * out, glm::normalize(out + slant * axis)};
     };
-    for (int i = 0; i < kSides; ++i)
-        add_quad(solids, corner(from, from_radius, i), corner(from, from_radius, i + 1), corner(to, to_radius, i + 1),
-                 corner(to, to_radius, i), color);
+    for (int i = 0; i < kSides; ++i) {
+        const Corner far = corner(to, to_radius, i + 1);
+        add_triangle(solids, corner(from, from_radius, i), corner(from, from_radius, i + 1), far, color);
+        if (to_radius > 0.0) add_triangle(solids, corner(from, from_radius, i), far, corner(to, to_radius, i), color);
+    }
 }
 void add_disc(Solids& solids, const glm::dvec3& centre, double radius, const glm::dvec3& normal,
               const glm::vec4& color) {
@@ -77,14 +81,40 @@ void add_arrow(Solids& solids, const glm::dvec3& base, const glm::dvec3& vector,
 }
 
 void add_tube(Solids& solids, std::span<const glm::dvec3> points, double radius, const glm::vec4& color, bool closed) {
-    const std::size_t count = points.size();
-    for (std::size_t i = 0; i + (closed ? 0 : 1) < count; ++i) {
-        const glm::dvec3 &from = points[i], &to = points[(i + 1) % count];
-        if (glm::length(to - from) < 1e-9) continue;
-        add_band(solids, from, radius, to, radius, glm::normalize(to - from), 0.0, color);
+    std::vector<glm::dvec3> line;
+    for (const glm::dvec3& p : points)
+        if (line.empty() || glm::length(p - line.back()) >= 1e-9) line.push_back(p);
+    if (closed && line.size() > 1) line.push_back(line.front());
+    if (line.size() < 2) return;
+    const std::size_t pieces = line.size() - 1;
+    const auto along = [&](std::size_t piece) { return glm::normalize(line[piece + 1] - line[piece]); };
+
+    // The pieces meet in the plane that halves the angle between them, and each takes its basis over from the last.
+    Basis basis = perpendicular(along(0));
+    for (std::size_t piece = 0; piece < pieces; ++piece) {
+        const glm::dvec3 axis = along(piece);
+        const auto halfway = [&](std::size_t other) { return glm::normalize(axis + along(other)); };
+        const glm::dvec3 first = piece > 0 ? halfway(piece - 1) : closed ? halfway(pieces - 1) : axis;
+        const glm::dvec3 last = piece + 1 < pieces ? halfway(piece + 1) : closed ? halfway(0) : axis;
+        const auto onto = [&](const glm::dvec3& out, const glm::dvec3& plane) {
+            return out - glm::dot(out, plane) / glm::dot(axis, plane) * axis;
+        };
+        const auto corner = [&](std::size_t end, const glm::dvec3& plane, int side) {
+            const glm::dvec3 out = around(basis, side, kLineSides);
+            return Corner{line[end] + radius * onto(out, plane), out};
+        };
+        for (int i = 0; i < kLineSides; ++i)
+            add_quad(solids, corner(piece, first, i), corner(piece, first, i + 1), corner(piece + 1, last, i + 1),
+                     corner(piece + 1, last, i), color);
+        if (piece + 1 == pieces) break;
+        const glm::dvec3 next = along(piece + 1);
+        for (glm::dvec3* side : {&basis.u, &basis.v}) {
+            const glm::dvec3 met = onto(*side, last);
+            *side = met - glm::dot(met, next) * next;
+        }
     }
-    // Balls at the corners close the gaps between the straight pieces.
-    for (const glm::dvec3& p : points) add_ball(solids, p, radius, color);
+    if (!closed)
+        for (const glm::dvec3& end : {line.front(), line.back()}) add_ball(solids, end, radius, color);
 }
 
 void add_cube(Solids& solids, const glm::dvec3& centre, const glm::dvec3& direction, double half,
@@ -110,9 +140,11 @@ void add_ball(Solids& solids, const glm::dvec3& centre, double radius, const glm
         return Corner{centre + radius * n, n};
     };
     for (int ring = 0; ring < kRings; ++ring)
-        for (int side = 0; side < kSides; ++side)
-            add_quad(solids, corner(ring, side), corner(ring, side + 1), corner(ring + 1, side + 1),
-                     corner(ring + 1, side), color);
+        for (int side = 0; side < kSides; ++side) {
+            const Corner a = corner(ring, side), c = corner(ring + 1, side + 1);
+            if (ring > 0) add_triangle(solids, a, corner(ring, side + 1), c, color);
+            if (ring + 1 < kRings) add_triangle(solids, a, c, corner(ring + 1, side), color);
+        }
 }
 
 void add_patch(Solids& solids, const glm::dvec3& centre, const glm::dvec3& half_u, const glm::dvec3& half_v,

@@ -10,7 +10,7 @@
 namespace normalscope {
 
 struct BackdropProgram : Program {
-    BackdropProgram() : Program("backdrop.vert", "backdrop.frag") {}
+    explicit BackdropProgram(std::string_view define = {}) : Program("backdrop.vert", "backdrop.frag", define) {}
 
     Slot<glm::mat4> world_from_clip{*this, "world_from_clip"};
     Slot<glm::vec3> eye{*this, "eye"};
@@ -20,6 +20,11 @@ struct BackdropProgram : Program {
     Slot<float> ground{*this, "ground"};
     Slot<float> grid_amount{*this, "grid_amount"};
     Slot<glm::mat3> shadow{*this, "shadow"};
+};
+/// And over it what has been drawn, each pixel the mean of its samples.
+struct ResolvingProgram : BackdropProgram {
+    ResolvingProgram() : BackdropProgram("RESOLVE") {}
+
     Slot<int> samples{*this, "samples"};
     Slot<glm::ivec2> drawn_low{*this, "drawn_low"};
     Slot<glm::ivec2> drawn_size{*this, "drawn_size"};

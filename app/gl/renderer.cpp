@@ -28,7 +28,8 @@ std::vector<glm::vec2> sample_places() {
 
 /// What lives on the GPU: programs and vertices, of which the surface's are kept until another surface comes.
 struct Renderer::Resources {
-    BackdropProgram backdrop_program;
+    std::optional<BackdropProgram> backdrop_program;
+    std::optional<ResolvingProgram> resolving_program;
     SceneProgram scene_program;
     std::optional<ErrorMapProgram> error_map_program;  // compiled when first wanted
     std::optional<TracedProgram> traced_program, traced_error_program;
@@ -49,6 +50,7 @@ struct Renderer::Resources {
 
     /// And over it the target's samples, if there are any.
     void draw_backdrop(const Frame& frame, const Pane& pane, const Target& target);
+    void draw_backdrop(const BackdropProgram& program, const Frame& frame, const Pane& pane);
     void draw_pane(const Frame& frame, const Pane& pane);
     void draw_surface(const Frame& frame, const Pane& pane, const SurfaceDraw& draw);
     void draw_traced(const Frame& frame, const Pane& pane, const SurfaceDraw& draw);
@@ -70,9 +72,26 @@ PixelRect upright(PixelRect rect, const Target& target) {
     return rect;
 }
 
+void scissor(const PixelRect& rect) { glScissor(rect.origin.x, rect.origin.y, rect.size.x, rect.size.y); }
+
 void look_at(const PixelRect& rect) {
     glViewport(rect.origin.x, rect.origin.y, rect.size.x, rect.size.y);
-    glScissor(rect.origin.x, rect.origin.y, rect.size.x, rect.size.y);
+    scissor(rect);
+}
+
+// Of pixels that count from the lower left; where they have none in common, a rectangle of no size within the first.
+PixelRect common(const PixelRect& a, const PixelRect& b) {
+    const glm::ivec2 end = a.origin + a.size, low = glm::clamp(b.origin, a.origin, end);
+    return {low, glm::clamp(b.origin + b.size, low, end) - low};
+}
+
+// What of a rectangle lies below, above, left and right of a smaller one within it.
+std::array<PixelRect, 4> around(const PixelRect& whole, const PixelRect& part) {
+    const glm::ivec2 low = whole.origin, end = low + whole.size, from = part.origin, to = from + part.size;
+    return {PixelRect{low, {whole.size.x, from.y - low.y}},
+            {{low.x, to.y}, {whole.size.x, end.y - to.y}},
+            {{low.x, from.y}, {from.x - low.x, part.size.y}},
+            {{to.x, from.y}, {end.x - to.x, part.size.y}}};
 }
 
 }  // namespace
@@ -114,26 +133,48 @@ void Renderer::Resources::set_error_maps(const ErrorMapProgram& program, const F
     program.ramp = std::span<const glm::vec3>(kErrorRamp);
 }
 
-void Renderer::Resources::draw_backdrop(const Frame& frame, const Pane& pane, const Target& target) {
+void Renderer::Resources::draw_backdrop(const BackdropProgram& program, const Frame& frame, const Pane& pane) {
     const ThemeColors colors = theme_colors(frame.theme);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, target.sample_colors());
-    backdrop_program.use();
-    backdrop_program.world_from_clip = glm::mat4(glm::inverse(pane.view.clip_from_world()));
-    backdrop_program.eye = pane.view.eye().xyz;
-    backdrop_program.top_color = frame.plain_ground.value_or(colors.background_top);
-    backdrop_program.bottom_color = frame.plain_ground.value_or(colors.background_bottom);
-    backdrop_program.grid_color = colors.grid;
-    backdrop_program.ground = frame.ground_height.value_or(0.0f);
-    backdrop_program.grid_amount = frame.ground_height ? 1.0f : 0.0f;
-    backdrop_program.shadow = frame.shadow_from_ground;
-    const PixelRect sampled = upright(target.sampled(), target);
-    backdrop_program.samples = target.samples() > 1 ? target.samples() : 0;
-    backdrop_program.drawn_low = sampled.origin;
-    backdrop_program.drawn_size = sampled.size;
+    program.use();
+    program.world_from_clip = glm::mat4(glm::inverse(pane.view.clip_from_world()));
+    program.eye = pane.view.eye().xyz;
+    program.top_color = frame.plain_ground.value_or(colors.background_top);
+    program.bottom_color = frame.plain_ground.value_or(colors.background_bottom);
+    program.grid_color = colors.grid;
+    program.ground = frame.ground_height.value_or(0.0f);
+    program.grid_amount = frame.ground_height ? 1.0f : 0.0f;
+    program.shadow = frame.shadow_from_ground;
+    backdrop.draw();
+}
+
+void Renderer::Resources::draw_backdrop(const Frame& frame, const Pane& pane, const Target& target) {
     // Where all of a pixel is written, Mesa compiles the shader a second time for tiles that are wholly covered.
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
-    backdrop.draw();
+    const PixelRect rect = upright(pane.rect, target);
+    look_at(rect);
+    // A picture by itself is not worth another program. From the second on, what has no samples does without theirs.
+    const bool apart = target.samples() == 1 || resolving_program;
+    if (apart && !backdrop_program) backdrop_program.emplace();
+    if (target.samples() == 1) {
+        draw_backdrop(*backdrop_program, frame, pane);
+    } else {
+        if (!resolving_program) resolving_program.emplace();
+        const PixelRect sampled = upright(target.sampled(), target);
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, target.sample_colors());
+        const PixelRect within = apart ? common(rect, sampled) : rect;
+        scissor(within);
+        resolving_program->use();
+        resolving_program->samples = target.samples();
+        resolving_program->drawn_low = sampled.origin;
+        resolving_program->drawn_size = sampled.size;
+        draw_backdrop(*resolving_program, frame, pane);
+        if (apart)
+            for (const PixelRect& strip : around(rect, within)) {
+                scissor(strip);
+                draw_backdrop(*backdrop_program, frame, pane);
+            }
+    }
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
@@ -247,7 +288,9 @@ void Renderer::Resources::draw_pane(const Frame& frame, const Pane& pane) {
     glDepthFunc(GL_LEQUAL);
     for (const SurfaceDraw& draw : pane.surfaces)
         if (draw.color.a >= 1.0f) draw_surface(frame, pane, draw);
+    glEnable(GL_CULL_FACE);
     draw_solids(frame, pane, pane.solids);
+    glDisable(GL_CULL_FACE);
     draw_arrows(frame, pane);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -281,11 +324,11 @@ void Renderer::draw(const Frame& frame, Target& target) {
 void Renderer::draw_again(const Frame& frame, Target& target) {
     target.bind_picture();
     glDisable(GL_SCISSOR_TEST);
-    glClearColor(0.0f, 0.0f, 0.0f, 1.0f);
+    const glm::vec3 beside = theme_colors(frame.theme).panel;
+    glClearColor(beside.r, beside.g, beside.b, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_SCISSOR_TEST);
     for (const Pane& pane : frame.panes) {
-        look_at(upright(pane.rect, target));
         resources_->draw_backdrop(frame, pane, target);
         if (target.samples() == 1) resources_->draw_pane(frame, pane);
     }

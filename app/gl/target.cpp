@@ -64,10 +64,10 @@ void Target::bind_samples(const PixelRect& box) {
     sampled_ = box;
     const glm::ivec2 wanted = glm::max(box.size, 1);
     if (!held_ || glm::any(glm::lessThan(held_->size, wanted))) {
-        // A picture by itself gets what it needs; where one follows the other, what will do for all of them.
-        const bool first = !held_;
+        // A picture by itself gets what it needs; where one follows the other, some room to grow.
+        const glm::ivec2 room = held_ ? glm::max(wanted + wanted / 4, held_->size) : wanted;
         held_.reset();
-        held_.emplace(first ? glm::min((wanted + 63) / 64 * 64, size_) : size_, samples_);
+        held_.emplace(glm::min((room + 63) / 64 * 64, size_), samples_);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, held_->framebuffer.id());
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);

@@ -142,7 +142,7 @@ void MeshVertices::draw() const {
 }
 
 ArrowVertices::ArrowVertices(std::span<const Site> sites) : site_count_(static_cast<GLsizei>(sites.size())) {
-    const std::vector<Vertex> shape = arrow_shape(sites.size() >= kFlatFrom ? kFlat : sites.size() > 400 ? 6 : 8);
+    const std::vector<Vertex> shape = arrow_shape(sites.size() >= kFlatFrom ? kFlat : sites.size() > 60 ? 6 : 8);
     shape_count_ = static_cast<GLsizei>(shape.size());
     std::vector<SiteVertex> instances(sites.size());
     for (std::size_t i = 0; i < instances.size(); ++i) instances[i] = {sites[i].point.xyz, sites[i].normal.xyz};

@@ -260,14 +260,7 @@ void DerivationPanel::draw(const Look& look, const Scene& scene, const Frame& fr
 
     // The arrow keys turn the lines over; otherwise they wander from button to button as everywhere.
     const ImGuiWindowFlags no_keys = stepping_ ? ImGuiWindowFlags_NoNavInputs : 0;
-    ImGui::SetNextWindowPos({screen.x - width, top});
-    ImGui::SetNextWindowSize({width, screen.y - top});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    ImGui::Begin("##derivation", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse | no_keys);
-    ImGui::PopStyleVar(2);
+    begin_beside(frame.rect, "##derivation", {screen.x - width, top}, {width, screen.y - top}, no_keys);
     const ImVec2 low = ImGui::GetWindowPos();
     ImGui::GetWindowDrawList()->AddLine({low.x, low.y}, {low.x, low.y + screen.y}, packed(look.line));
 

@@ -103,14 +103,7 @@ void toolbar(Scene& scene, PanelMemory& memory, const PanelContext& context) {
 
 void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context) {
     const Look& look = context.look;
-    ImGui::SetNextWindowPos({0, 0});
-    ImGui::SetNextWindowSize({look.px(kPanelWidth), ImGui::GetIO().DisplaySize.y});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    ImGui::Begin("##panel", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
-    ImGui::PopStyleVar(2);
+    begin_beside(context.frame.rect, "##panel", {0, 0}, {look.px(kPanelWidth), ImGui::GetIO().DisplaySize.y});
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     ImGui::GetWindowDrawList()->AddLine({low.x + size.x - 1, low.y}, {low.x + size.x - 1, low.y + size.y},
                                         packed(look.line));

@@ -63,14 +63,7 @@ void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& me
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const bool only_tabs = !tabs[*memory.open].draw;
     const float height = only_tabs ? look.px(kTabsHeight) : screen.y;
-    ImGui::SetNextWindowPos({screen.x - width, 0});
-    ImGui::SetNextWindowSize({width, height});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    ImGui::Begin("##side", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
-    ImGui::PopStyleVar(2);
+    begin_beside(context.frame.rect, "##side", {screen.x - width, 0}, {width, height});
     const ImVec2 low = ImGui::GetWindowPos();
     ImGui::GetWindowDrawList()->AddLine(low, {low.x, low.y + height}, packed(look.line));
 

@@ -20,9 +20,9 @@ void set_colors(Look& look) {
     const auto hex = [](unsigned v) { return to_imgui(rgb(v)); };
     const ThemeColors theme = theme_colors(look.theme);
     look.text = to_imgui(theme.text);
+    look.panel = to_imgui(theme.panel);
     if (is_dark(look.theme)) {
         look.dim = hex(0x9AA1AB);
-        look.panel = hex(0x1F2227);
         look.card = hex(0x282C32);
         look.field = hex(0x343941);
         look.line = hex(0x3C424B);
@@ -32,7 +32,6 @@ void set_colors(Look& look) {
         look.bad = hex(0xF0803A);
     } else {
         look.dim = hex(0x69707A);
-        look.panel = hex(0xFFFFFF);
         look.card = hex(0xF5F5F4);
         look.field = hex(0xE8E9EA);
         look.line = hex(0xDCDEE0);
@@ -43,7 +42,6 @@ void set_colors(Look& look) {
     }
     if (!has_contrast(look.theme)) return;
     look.dim = faded_to(look.text, is_dark(look.theme) ? 0.82f : 0.72f);
-    look.panel = is_dark(look.theme) ? hex(0x000000) : hex(0xFFFFFF);
     look.card = is_dark(look.theme) ? hex(0x101214) : hex(0xFFFFFF);
     look.field = is_dark(look.theme) ? hex(0x2A2E33) : hex(0xE2E4E6);
     look.line = is_dark(look.theme) ? hex(0x7A828C) : hex(0x80868C);

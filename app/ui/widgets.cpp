@@ -20,6 +20,19 @@ void tip(const Look& look, const char* text) {
     ImGui::EndTooltip();
 }
 
+void begin_beside(const PixelRect& picture, const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags flags) {
+    const auto left = static_cast<float>(picture.origin.x), right = left + static_cast<float>(picture.size.x);
+    if (at.x + size.x <= left || at.x >= right) flags |= ImGuiWindowFlags_NoBackground;
+    ImGui::SetNextWindowPos(at);
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::Begin(id, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse | flags);
+    ImGui::PopStyleVar(2);
+}
+
 bool section(const Look& look, const char* title, bool open_at_first) {
     if (ImGui::GetCursorPosY() > look.px(8)) ImGui::Dummy({0, 0});  // but for the first
     const ImVec2 from = ImGui::GetCursorScreenPos();

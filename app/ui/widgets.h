@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/frame.h"
 #include "core/scene_fields.h"
 #include "ui/icons.h"
 #include "ui/style.h"
@@ -15,6 +16,10 @@ namespace normalscope {
 
 /// Explains the last item while the pointer rests on it.
 void tip(const Look& look, const char* text);
+
+/// Begins a window that stays where it is, beside the picture. The renderer has filled what lies beside the picture with
+/// the panel's colour, so that only one that covers the picture needs a ground of its own.
+void begin_beside(const PixelRect& picture, const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags flags = 0);
 
 /// A heading that opens and closes what follows; what is put on the same line stands at its right.
 bool section(const Look& look, const char* title, bool open_at_first = true);
