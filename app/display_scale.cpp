@@ -19,8 +19,9 @@ void DisplayScale::change(bool presenting, int steps) {
 }
 
 float DisplayScale::of(float desktop, glm::ivec2 framebuffer, bool presenting) const {
-    if (!presenting) return static_cast<float>(desktop * interface);
     const double share = std::min(framebuffer.x / 1920.0, framebuffer.y / 1080.0);
+    // Not every desktop says how fine its pixels are. In quarters, so that a window being resized rarely changes its fonts.
+    if (!presenting) return static_cast<float>(std::max<double>(desktop, std::floor(4.0 * share) / 4.0) * interface);
     return static_cast<float>(std::max(kPresented / kSmallestWords * share, 0.6) * presenter);
 }
 

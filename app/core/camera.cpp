@@ -31,6 +31,15 @@ CameraView::CameraView(const Camera& camera, glm::dvec2 size) : size_(size) {
     world_from_clip_ = glm::inverse(clip_from_world_);
 }
 
+// At depth w a frustum has clip z = a w + b, so z / w = a + b / w. With w (1 + share) in place of w that is
+// (a w + b / (1 + share)) / w: only b changes.
+glm::dmat4 CameraView::clip_from_world_behind(double share) const {
+    glm::dmat4 clip = clip_from_world_;
+    const double b = (clip * glm::dvec4(eye_.xyz, 1.0)).z;
+    clip[3].z -= b * share / (1.0 + share);
+    return clip;
+}
+
 Vector<World> CameraView::right() const {
     return {{view_from_world_[0][0], view_from_world_[1][0], view_from_world_[2][0]}};
 }

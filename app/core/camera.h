@@ -34,6 +34,9 @@ public:
 
     const glm::dmat4& view_from_world() const { return view_from_world_; }
     const glm::dmat4& clip_from_world() const { return clip_from_world_; }
+    /// The same with everything further from the eye by this share of its distance, for the depth buffer alone: nothing
+    /// moves in the picture.
+    glm::dmat4 clip_from_world_behind(double share) const;
     Point<World> eye() const { return eye_; }
     /// Unit vectors to the right of and up in the picture.
     Vector<World> right() const;

@@ -93,14 +93,17 @@ void add_surfaces(Pane& pane, const Scene& scene, const Surface& surface, const 
     shell.cull = SurfaceDraw::Cull::Inside;
     shell.normals = NormalMap{};
     shell.color = glm::vec4(colors.ghost, 0.55f);
+    shell.yields = true;
     pane.surfaces.push_back(shell);
 }
 
 void add_arrows(Pane& pane, const Scene& scene, const WorldFromObject& m) {
     const auto length = static_cast<float>(2.0 * scene.arrows.length);  // in diameters of the unit ball
     const auto draw = [&](const glm::dmat4& points, const NormalMap& normals, ArrowKind kind) {
+        const float radius = std::clamp(0.042f * length, 0.003f, 0.025f);
         pane.arrows.push_back({drawable(points), scaled_for_floats(normals), arrow_color(kind, scene.theme), length,
-                               std::clamp(0.042f * length, 0.003f, 0.025f)});
+                               kind == ArrowKind::Object ? ArrowProportions::kOfObject * radius : radius,
+                               kind == ArrowKind::Cofactor});
     };
     for (const ArrowKind kind : shown_arrows(scene, pane.rule)) {
         if (kind == ArrowKind::Object) {
@@ -175,6 +178,10 @@ void add_legend(Frame& frame, const Scene& scene, const NormalMatrices& matrices
             return std::ranges::count(shown_arrows(scene, pane.rule), kind) > 0;
         });
         if (!shown || (kind == ArrowKind::Object && !scene.show.ghost)) continue;
+        // Each half's title names its own.
+        if (scene.view == ViewMode::Split &&
+            std::ranges::any_of(frame.panes, [&](const Pane& pane) { return arrow_kind(pane.rule) == kind; }))
+            continue;
         std::string text = "n of the object";
         if (kind != ArrowKind::Object) {
             const Rule rule = kRules[static_cast<std::size_t>(kind) - 1];

@@ -40,6 +40,7 @@ struct SurfaceDraw {
     /// side is.
     float outside = 1.0f;
     glm::vec4 color{1.0f};         ///< alpha below 1: a ghost
+    bool yields = false;           ///< where it lies in another surface, that one is seen
     glm::vec3 inside_color{1.0f};  ///< of the back of an open surface
     /// Which triangles are left out: those whose winding in the picture is a back's, or those that truly show the inside,
     /// where nobody can see them.
@@ -56,6 +57,7 @@ struct ArrowDraw {
     glm::vec3 color{1.0f};
     float length = 0.1f;
     float radius = 0.01f;
+    bool two_heads = false;  ///< a shape of its own, for whom colours look alike
 };
 
 /// Corner of a triangle in world space, for what is made anew every frame: the probe's arrows and marks, the axes.

@@ -122,8 +122,8 @@ void add_probe_marks(Pane& pane, const Scene& scene, const ProbeInWorld& probe, 
     if (!scene.show.probe) return;
 
     if (shows(ArrowKind::Object) && scene.show.ghost)
-        add_arrow(pane.solids, probe.object.point.xyz, length * probe.object.normal.xyz, radius,
-                  glm::vec4(arrow_color(ArrowKind::Object, scene.theme), 1.0f));
+        add_arrow(pane.solids, probe.object.point.xyz, length * probe.object.normal.xyz,
+                  ArrowProportions::kOfObject * radius, glm::vec4(arrow_color(ArrowKind::Object, scene.theme), 1.0f));
 
     add_ball(pane.solids, centre, 1.8 * radius, glm::vec4(theme_colors(scene.theme).text, 1.0f));
     for (const Rule rule : kRules) {
@@ -132,7 +132,12 @@ void add_probe_marks(Pane& pane, const Scene& scene, const ProbeInWorld& probe, 
         const glm::vec4 color(rule_color(rule), 1.0f);
         // Where the cofactor agrees with the inverse transpose, let it stand inside as a shorter, thicker arrow.
         const bool hidden = rule == Rule::Cofactor && correct && glm::dot(*correct, *n) > 0.0 && parallel(*correct, *n);
-        add_arrow(pane.solids, centre, (hidden ? 0.7 : 1.0) * length * *n, (hidden ? 1.35 : 1.0) * radius, color);
+        const double long_as = (hidden ? 0.7 : 1.0) * length, wide = (hidden ? 1.35 : 1.0) * radius;
+        add_arrow(pane.solids, centre, long_as * *n, wide, color);
+        if (rule == Rule::Cofactor)
+            add_arrow(pane.solids, centre,
+                      (long_as - ArrowProportions::kToSecondHead * ArrowProportions::kHeadLength * wide) * *n, wide,
+                      color);
         if (!scene.show.tangent_plane || !plane) continue;
         // A right angle gets its square; any other gets an arc down to the plane, on the side to which the arrow leans.
         const glm::dvec3 up = glm::dot(plane->normal, *n) < 0.0 ? -plane->normal : plane->normal;

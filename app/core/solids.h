@@ -16,6 +16,8 @@ struct ArrowProportions {
     static constexpr float kHeadRadius = 2.6f;
     static constexpr float kHeadLength = 6.5f;
     static constexpr float kLongestHead = 0.5f;
+    static constexpr float kOfObject = 0.65f;     ///< normals in object space are thinner: a shape of their own
+    static constexpr float kToSecondHead = 0.9f;  ///< in heads, from tip to tip
 };
 
 /// An arrow from `base` along `vector`; nothing where the vector is zero.

@@ -179,7 +179,7 @@ private:
             const glm::dvec3 n = draw.normals(site.normal).xyz;
             if (!(glm::length(n) > 0.0)) continue;
             const glm::dvec3 base(m * glm::dvec4(site.point.xyz, 1.0));
-            arrow(base, static_cast<double>(draw.length) * glm::normalize(n), shafts, heads);
+            arrow(base, static_cast<double>(draw.length) * glm::normalize(n), draw.two_heads, shafts, heads);
         }
         const ArrowKind kind = kind_of(draw.color);
         std::string line = stroke(draw.color, kind == ArrowKind::Object ? 1.2 : 1.8);
@@ -197,7 +197,8 @@ private:
             if (arrow_color(kind, frame_.theme) == color) return kind;
         return ArrowKind::Object;
     }
-    void arrow(const glm::dvec3& base, const glm::dvec3& vector, std::string& shafts, std::string& heads) const {
+    void arrow(const glm::dvec3& base, const glm::dvec3& vector, bool two_heads, std::string& shafts,
+               std::string& heads) const {
         constexpr int kParts = 4;
         if (!before_eye(base) || !before_eye(base + vector)) return;
         const glm::dvec2 from = at(base), to = at(base + vector), way = to - from;
@@ -207,6 +208,9 @@ private:
         if (!hidden(base + vector)) {
             const glm::dvec2 neck = to - head * along;
             heads += path_data({neck - half * across, to, neck + half * across}, true);
+            const glm::dvec2 back = 0.9 * head * along;
+            if (two_heads)
+                heads += path_data({neck - back - half * across, to - back, neck - back + half * across}, true);
         }
         // The shaft in parts, each of which is seen or not.
         int first = -1;

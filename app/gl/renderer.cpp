@@ -58,6 +58,8 @@ struct Renderer::Resources {
     void draw_solids(const Frame& frame, const Pane& pane, const std::vector<SolidVertex>& vertices);
 
 private:
+    // Of its distance from the eye: more than facets and rounding make of one place.
+    static constexpr double kYields = 6e-4;
     void begin(const SceneProgram& program, const Frame& frame, const Pane& pane) const;
     static void set_normals(const SceneProgram& program, const NormalMap& normals);
     static void set_look(const SceneProgram& program, const SurfaceDraw& draw);
@@ -188,6 +190,7 @@ void Renderer::Resources::draw_surface(const Frame& frame, const Pane& pane, con
     begin(*program, frame, pane);
     if (program != &scene_program) set_error_maps(*error_map_program, frame);
     set_look(*program, draw);
+    if (draw.yields) program->clip_from_world = glm::mat4(pane.view.clip_from_world_behind(kYields));
     program->world_from_object = draw.world_from_object;
     program->tint = draw.color;
     if (draw.cull != SurfaceDraw::Cull::None) glEnable(GL_CULL_FACE);
@@ -212,6 +215,7 @@ void Renderer::Resources::draw_traced(const Frame& frame, const Pane& pane, cons
     const TracedProgram& program = *wanted;
     begin(program, frame, pane);
     set_look(program, draw);
+    if (draw.yields) program.clip_from_world = glm::mat4(pane.view.clip_from_world_behind(kYields));
     if (by_error) set_error_maps(program, frame);
     program.tint = draw.color;
     program.space_from_clip = glm::mat4(glm::inverse(pane.view.clip_from_world()));
@@ -266,8 +270,12 @@ void Renderer::Resources::draw_arrows(const Frame& frame, const Pane& pane) {
         scene_program.tint = glm::vec4(draw.color, 1.0f);
         scene_program.arrow_length = draw.length;
         scene_program.shaft_radius = draw.radius;
-        scene_program.head_length =
+        const float head =
             std::min(ArrowProportions::kHeadLength * draw.radius, ArrowProportions::kLongestHead * draw.length);
+        scene_program.head_length = head;
+        arrows->draw();
+        if (!draw.two_heads) continue;
+        scene_program.arrow_length = draw.length - ArrowProportions::kToSecondHead * head;
         arrows->draw();
     }
     glDisable(GL_CULL_FACE);

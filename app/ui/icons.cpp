@@ -188,6 +188,9 @@ void draw_arrow(ImDrawList& list, ArrowKind kind, ImVec2 from, ImVec2 to, float 
         list.AddTriangle(at(neck, -half), at(neck, half), at(length, 0), color, 0.6f * thickness);
     else
         list.AddTriangleFilled(at(neck, -half), at(length, 0), at(neck, half), color);
+    if (kind == ArrowKind::Cofactor)  // two heads, as in the picture
+        list.AddTriangleFilled(at(neck - 0.9f * head, -half), at(length - 0.9f * head, 0), at(neck - 0.9f * head, half),
+                               color);
 }
 
 }  // namespace normalscope

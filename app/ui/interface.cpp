@@ -51,6 +51,7 @@ struct Interface::State {
 
 namespace {
 
+constexpr double kPointerShown = 4.0;  // seconds, after it has come to rest
 constexpr std::array<std::string_view, 5> kTabIds{"derivation", "stack", "maps", "error", "ray"};
 constexpr std::size_t kDerivation = 0;
 
@@ -82,6 +83,8 @@ void Interface::State::watch_the_clock() {
     wake = messages.redraw_after();
     const double tooltips = ImGui::GetStyle().HoverDelayNormal + ImGui::GetStyle().HoverStationaryDelay + 0.1;
     if (ImGui::IsAnyItemHovered() && now - pointer_rested < tooltips) wake = std::min(wake, 0.1);
+    if (lecture.presenting && now - pointer_rested < kPointerShown + 0.1)
+        wake = std::min(wake, std::max(pointer_rested + kPointerShown + 0.05 - now, 0.05));
     if (now - popups_changed < 0.3) wake = std::min(wake, 1.0 / 30.0);
     if (letters.pending()) wake = 0.0;
     if (stack.player.playing || lecture.moving()) wake = 0.0;
@@ -192,7 +195,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     s.letters.want(status.file, s.look.fonts.body);
     s.letters.want(s.panel.formula.draft.text, s.look.fonts.body);
     s.messages.draw(s.look, frame);
-    s.lecture.draw_screen(s.look);
+    s.lecture.draw_screen(s.look, ImGui::GetTime() - s.pointer_rested > kPointerShown);
     s.watch_the_clock();
     return requests;
 }

@@ -157,7 +157,7 @@ void Lecture::draw(const Look& look, Scene& scene, ImVec2 strip_low, ImVec2 stri
     if (requests.close) leave();
 }
 
-void Lecture::draw_screen(const Look& look) const {
+void Lecture::draw_screen(const Look& look, bool pointer_rests) const {
     ImDrawList& list = *ImGui::GetForegroundDrawList();
     const ImGuiIO& io = ImGui::GetIO();
     if (blank_) {
@@ -165,7 +165,7 @@ void Lecture::draw_screen(const Look& look) const {
         return;
     }
     // So that people at the back find the pointer; a ring, so that what it is on stays to be seen.
-    if (presenting && ImGui::IsMousePosValid()) {
+    if (presenting && !pointer_rests && ImGui::IsMousePosValid()) {
         list.AddCircleFilled(io.MousePos, look.px(15), IM_COL32(240, 228, 66, 90), 48);
         list.AddCircle(io.MousePos, look.px(15), IM_COL32(20, 20, 20, 150), 48, look.px(1));
         list.AddCircle(io.MousePos, look.px(14), IM_COL32(240, 228, 66, 255), 48, look.px(2));

@@ -41,7 +41,7 @@ public:
     /// The strip, and whatever moves.
     void draw(const Look& look, Scene& scene, ImVec2 strip_low, ImVec2 strip_size);
     /// In front of all else.
-    void draw_screen(const Look& look) const;
+    void draw_screen(const Look& look, bool pointer_rests) const;
     /// The tab that the step wants open, or an empty name for none, once after it has been reached.
     std::optional<std::string> wanted_tab();
 

@@ -55,7 +55,8 @@ public:
         for (const TitleStyle& style : {large, TitleStyle{look_.fonts.strong, true, narrow.pad, narrow.top},
                                         TitleStyle{look_.fonts.small, true, narrow.pad, narrow.top},
                                         TitleStyle{look_.fonts.strong, false, narrow.pad, narrow.top}}) {
-            bool fits = true;
+            // A large one would stand before the object's top where there is little room.
+            bool fits = style.font != look_.fonts.title || frame.rect.size.y >= static_cast<int>(look_.px(400));
             for (const Pane& pane : frame.panes)
                 for (const Label& label : pane.labels)
                     if (label.role == Label::Role::Title)

@@ -1,10 +1,13 @@
+#include "core/frame.h"
 #include "core/palette.h"
+#include "core/surface.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -24,13 +27,35 @@ glm::dvec3 as_deuteranopes_see(const glm::vec3& srgb) {
     return {116.0 * f(xyz.y) - 16.0, 500.0 * (f(xyz.x) - f(xyz.y)), 200.0 * (f(xyz.y) - f(xyz.z))};
 }
 
-// The arrows that stand beside each other on one object. Each kind has a shape of its own in legend and panel, besides.
+// The arrows that stand beside each other on one object. The kinds have shapes of their own, besides.
 TEST(ColorBlind, TheRulesStayApart) {
     const std::array colors{kNaiveColor, kInverseTransposeColor, kCofactorColor, kTangentColor};
     for (std::size_t i = 0; i < colors.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
             EXPECT_GT(glm::length(as_deuteranopes_see(colors[i]) - as_deuteranopes_see(colors[k])), 15.0) << i << k;
     EXPECT_GT(glm::length(as_deuteranopes_see(kNaiveColor) - as_deuteranopes_see(kInverseTransposeColor)), 50.0);
+}
+
+// On the object, arrows whose colours look alike have different heads, or one kind is much thinner.
+TEST(ColorBlind, ArrowsOnTheObjectStayApart) {
+    for (const Theme theme : {Theme::Light, Theme::Dark, Theme::LightContrast, Theme::DarkContrast}) {
+        Scene scene;
+        scene.theme = theme;
+        scene.view = ViewMode::Overlay;
+        scene.stack = {Scale{{0.5, 2.0, 1.0}}};
+        scene.arrows.show = {kArrowKinds.begin(), kArrowKinds.end()};
+        SurfaceCache surfaces;
+        const Frame frame = make_frame(scene, surfaces.get(scene), {.rect = {{0, 0}, {320, 240}}});
+        const std::vector<ArrowDraw>& arrows = frame.panes.front().arrows;
+        ASSERT_EQ(arrows.size(), kArrowKinds.size());
+        for (std::size_t i = 0; i < arrows.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k)
+                EXPECT_TRUE(
+                    glm::length(as_deuteranopes_see(arrows[i].color) - as_deuteranopes_see(arrows[k].color)) > 15.0 ||
+                    arrows[i].two_heads != arrows[k].two_heads ||
+                    std::max(arrows[i].radius, arrows[k].radius) > 1.5f * std::min(arrows[i].radius, arrows[k].radius))
+                    << i << k;
+    }
 }
 
 // Words against what they stand on, as WCAG 2 has it: 7 : 1 for the themes of lecture halls, 4.5 : 1 for all.
