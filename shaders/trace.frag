@@ -14,7 +14,7 @@ uniform float only_edges;        // 1: only where those show that a pixel holds 
 
 out vec4 hit;  // unit n_object, or 0 where there is none; t, or 0 for a miss, or −1 for a pixel left out
 
-const int ATTEMPTS = POLYNOMIAL ? 1 : 6;
+const int ATTEMPTS = POLYNOMIAL ? 1 : 12;
 const int STEPS = POLYNOMIAL ? 48 : 384;
 const float NARROWEST = 1.0 / 4096.0;  // of the whole: there f is zero as far as floats can tell
 const float LARGEST = 3e37;
@@ -51,35 +51,43 @@ void main() {
     float narrowest = NARROWEST * (to - from);
     float low = from, width = POLYNOMIAL ? to - from : 0.25 * (to - from);
     float f_low = f(o + low * d), f_most = 0.0;
-    // Of the narrow parts up to here in a row: the least |f| and where it was, the largest before that, and the largest.
-    float dip = 0.0, nearest = 0.0, peak = 0.0, highest = 0.0;
-    bool fresh = true;  // none in this row yet
+    // Of the narrow parts up to here in a row, where |f| is least, what the samples beside that are, and the largest |f|
+    // before it and of all: as (t, f) where a place is meant.
+    vec2 dip = vec2(0.0), dip_left = vec2(0.0), dip_right = vec2(0.0), previous = vec2(0.0);
+    float peak = 0.0, highest = 0.0;
+    bool fresh = true;                 // none in this row yet
+    vec2 before_low = vec2(0.0, 0.0);  // the last sample before `low`
     for (int attempt = 0; attempt < ATTEMPTS; ++attempt) {
-        // The first part with a root: f differs in sign at its ends, or only touches zero at `left`.
+        // The first part with a root: f differs in sign at its ends, or comes near zero at `dip` and goes away again.
         bool found = false, crosses = false;
         float left = 0.0, right = 0.0, f_left = 0.0, f_right = 0.0, f_small = 0.0, f_end = 0.0;
         for (int i = 0; i < STEPS; ++i) {
             float s[DEGREE + 1], c[DEGREE + 1];
             s[0] = f_low;
             float largest = abs(f_low), smallest = abs(f_low);
-            bool narrow = width < 1.5 * narrowest, touches = false;
+            bool narrow = width < 1.5 * narrowest, dips = false;
             if (narrow && fresh) {
-                dip = highest = abs(f_low);
-                nearest = low;
-                peak = 0.0;
+                dip = previous = vec2(low, f_low);
+                dip_left = before_low;
+                peak = abs(before_low.y);
+                highest = max(peak, abs(f_low));
             }
             for (int j = 1; j <= DEGREE; ++j) {
-                float at = low + width * POINTS[j], size = abs(s[j] = f(o + at * d));
+                vec2 here = vec2(low + width * POINTS[j], 0.0);
+                here.y = s[j] = f(o + here.x * d);
+                float size = abs(here.y);
                 largest = max(largest, size);
                 smallest = min(smallest, size);
                 if (!narrow) continue;
-                // It touches zero where it is much nearer than before and after.
-                touches = touches || (size >= dip && dip < 0.4 * min(peak, size));
-                if (size < dip) {
-                    dip = size;
-                    nearest = at;
+                if (size < abs(dip.y)) {
+                    dip_left = previous;
+                    dip = here;
                     peak = highest;
+                } else if (!dips && peak > abs(dip.y)) {
+                    dip_right = here;
+                    dips = true;
                 }
+                previous = here;
                 highest = max(highest, size);
             }
             to_bernstein(s, c);
@@ -94,17 +102,22 @@ void main() {
             bool faithful = true;
             if (!POLYNOMIAL) {
                 float last = last_terms(s);
-                slack += 2.0 * last;
+                slack += CAUTION * last;
                 faithful = last < 0.02 * (most - least) && largest < LARGEST;
             }
             bool free = least > slack || most < -slack;
             crosses = s[DEGREE] < 0.0 != f_low < 0.0;
             // What looks free after narrow parts may go on from a kink at their end.
-            touches = touches || (free && !narrow && !fresh && smallest >= dip && dip < 0.4 * min(peak, largest));
+            if (free && !narrow && !fresh && smallest >= abs(dip.y) && peak > abs(dip.y)) {
+                dip_right = vec2(low + width * POINTS[1], s[1]);
+                dips = true;
+            } else {
+                dips = dips && (!free || !fresh);
+            }
             found = (!free && ((crosses && changes == 1.0 && faithful) || (narrow && (POLYNOMIAL || crosses)))) ||
-                    (!POLYNOMIAL && touches);
+                    (!POLYNOMIAL && dips);
             if (found) {
-                left = crosses ? low : nearest;
+                left = crosses ? low : dip.x;
                 right = low + width;
                 f_left = f_low;
                 f_right = s[DEGREE];
@@ -114,6 +127,7 @@ void main() {
             }
             if (free || narrow) {
                 fresh = !narrow;
+                before_low = vec2(low + width * POINTS[DEGREE - 1], s[DEGREE - 1]);
                 low += width;
                 f_low = s[DEGREE];
                 if (low >= to - 0.5 * narrowest) break;
@@ -129,11 +143,42 @@ void main() {
         low = right;
         f_low = f_right;
         float t = left, f_t = 0.0, side = f_left < 0.0 ? -1.0 : 1.0;
-        bool halve = false;
-        for (int i = 0; i < 40 && crosses; ++i) {
+        bool halve = false, descend = !POLYNOMIAL && !crosses;
+        float shallow = 0.0;
+        if (descend) {
+            left = dip_left.x;
+            f_left = dip_left.y;
+            right = dip_right.x;
+            shallow = min(abs(f_left), abs(dip_right.y));
+        }
+        for (int i = 0; i < 64 && (crosses || (descend && i < 24)); ++i) {
             float before = right - left;
-            t = halve ? left + 0.5 * before : (left * f_right - right * f_left) / (f_right - f_left);
+            bool on_the_left = dip.x - left > right - dip.x;
+            t = descend ? 0.5 * (dip.x + (on_the_left ? left : right))
+                : halve ? left + 0.5 * before
+                        : (left * f_right - right * f_left) / (f_right - f_left);
             f_t = f(o + t * d);
+            if (descend) {
+                // Down to where |f| is least, unless f changes its sign on the way: then there is a root before that.
+                bool lower = abs(f_t) < abs(dip.y);
+                if (f_t < 0.0 != side < 0.0) {
+                    if (!on_the_left) {
+                        left = dip.x;
+                        f_left = dip.y;
+                    }
+                    right = t;
+                    f_right = f_t;
+                    descend = false;
+                    crosses = true;
+                } else if (on_the_left == lower) {
+                    right = lower ? dip.x : t;
+                } else {
+                    left = lower ? dip.x : t;
+                    f_left = lower ? dip.y : f_t;
+                }
+                if (lower) dip = vec2(t, f_t);
+                continue;
+            }
             bool done = f_t == 0.0 || abs(t - right) < 2e-7 * (to - from);
             if (f_t < 0.0 != f_right < 0.0) {
                 left = right;
@@ -146,19 +191,24 @@ void main() {
             halve = abs(right - left) > 0.5 * abs(before);
             if (done) break;
         }
+        if (descend) {
+            t = dip.x;
+            f_t = abs(dip.y) < 0.05 * shallow ? 0.0 : LARGEST;
+        }
         vec3 p = o + t * d;
         vec3 n = gradient(p);
         // At a pole f changes its sign as well, but grows towards it; at a jump it stays farther from 0 than its slope
         // explains; and where it has no value there is no surface.
         float explained = 2e-5 * (to - from) * abs(dot(n, d)) + 4.0 * ROUNDING * f_end;
-        if (!POLYNOMIAL && (!(abs(f_t) <= 2.0 * f_small) || abs(f_t) > explained || !is_defined(p))) {
+        if (!POLYNOMIAL && (!(abs(f_t) <= max(2.0 * f_small, 1e-4 * f_end)) || abs(f_t) > explained || !is_defined(p))) {
             width = min(narrowest, to - low);
             fresh = true;
+            before_low = vec2(0.0);
             if (low >= to - 0.5 * narrowest) return;
             continue;
         }
         // Where f only touches zero, as a square does, its gradient may be but rounding: a point nearer to the eye has one.
-        if (!crosses && length(n) * length(d) * narrowest < 4.0 * ROUNDING * f_most)
+        if ((!crosses && length(n) * length(d) * narrowest < 4.0 * ROUNDING * f_most) || n == vec3(0.0))
             n = gradient(p - 4.0 * narrowest * d);
         // At a kink, as |g| has, rounding says which side's gradient it is.
         if (!crosses && side * dot(n, d) > 0.0) n = -n;

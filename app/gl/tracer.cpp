@@ -14,10 +14,32 @@ namespace {
 constexpr int kMostExactDegree = 10;  // beyond, floats no longer tell the coefficients apart
 constexpr int kOtherwise = 6;
 
+// |x|, min or a root has kinks, which hide between an interpolant's samples.
+bool has_kinks(const formulas::Graph& graph) {
+    for (formulas::Id id = 0; id < graph.size(); ++id) {
+        const formulas::Node& node = graph[id];
+        switch (node.op) {
+            case formulas::Op::Abs:
+            case formulas::Op::Sign:
+            case formulas::Op::Min:
+            case formulas::Op::Max:
+            case formulas::Op::Where: return true;
+            case formulas::Op::Power:
+                if (const formulas::Id exponent = graph.args(id)[1];
+                    graph.is_number(exponent) && !graph[exponent].number.integer())
+                    return true;
+                break;
+            default: break;
+        }
+    }
+    return false;
+}
+
 std::string generated(const ImplicitSurface& surface) {
     const bool exact = surface.degree() && *surface.degree() <= kMostExactDegree;
     const int degree = exact ? std::max(*surface.degree(), 1) : kOtherwise;
     return surface.glsl().source + formulas::ray_samples_glsl(degree) +
+           "const float CAUTION = " + (has_kinks(surface.formula().graph) ? "24.0" : "2.0") + ";\n" +
            "const bool POLYNOMIAL = " + (exact ? "true" : "false") + ";\n" + std::string(Program::file("edges.glsl"));
 }
 

@@ -102,6 +102,11 @@ constexpr std::array kCases{
     Case{"Logarithm", "log(x)+y^2+z^2"},
     Case{"Poles", "1/x+1/y+z"},
     Case{"Tangent", "tan(2x)+y+z"},
+    Case{"CubicPole", "(x/z+z+1)^3-6"},
+    Case{"Jump", "z-atan(y/x)", 2.0, 0.005},  // beside which the surface lies as near as one likes
+    Case{"Cusps", "|x|^(2/3)+|y|^(2/3)+|z|^(2/3)-1", 2.0, 0.003},
+    Case{"TouchesSmoothly", "sin(x+y/2)^2"},
+    Case{"TouchesInAKink", "|x^2+y^2+z^2-1|"},
 };
 INSTANTIATE_TEST_SUITE_P(Surfaces, Trace, ::testing::ValuesIn(kCases),
                          [](const auto& test) { return std::string(test.param.name); });
