@@ -10,7 +10,7 @@ import subprocess
 import time
 import unittest
 
-from support import NORMALSCOPE, SMALL, CommandTest
+from support import NORMALSCOPE, SMALL, CommandTest, png_pixels
 
 LESSONS = sorted((pathlib.Path(__file__).resolve().parents[2] / "assets" / "lessons").glob("*.json"))
 
@@ -73,6 +73,36 @@ class LessonsTest(CommandTest):
         self.assertIn("n</i><sub>naive</sub>", page)
         for step in steps:
             self.assertIn(step["caption"], page)
+
+
+def heights_of_lines(pixels):
+    """Of the rows in the left quarter of a picture that hold ink, those together; from the lowest up to where the ground is
+    no longer that of the lowest."""
+    ground, part = pixels[-1][1], len(pixels[0]) // 4
+    lines, height = [], 0
+    for row in reversed(pixels):
+        if row[1] != ground:
+            break
+        if any(sum(abs(a - b) for a, b in zip(pixel, ground)) > 200 for pixel in row[:part]):
+            height += 1
+        elif height:
+            lines.append(height)
+            height = 0
+    return lines[::-1]
+
+
+class LettersTest(CommandTest):
+    def test_large_enough_for_the_last_row(self):
+        # What a lecture shows, measured in the picture. A capital of Open Sans is 0.714 of its size high: 20 pixels where
+        # letters are of 28. The title, the caption, the equation, the question, its choices.
+        lesson = self.file("h.json", json.dumps({"lesson": "H", "steps": [
+            {"caption": "H", "equations": ["H"], "look_at": "H", "question": {"ask": "H", "choices": [
+                {"text": "H", "right": True, "because": "H"}, {"text": "H", "because": "H"}]}}]}))
+        for size, least in (("1920x1080", 20), ("1024x768", 10)):
+            self.assert_done("animate", lesson, "-o", self.folder / f"{size}-%d.png", "--size", size, "--fps", 1, "--seconds", 1)
+            lines = heights_of_lines(png_pixels((self.folder / f"{size}-0.png").read_bytes()))
+            self.assertGreaterEqual(len(lines), 5, (size, lines))
+            self.assertGreaterEqual(min(lines), least - 1, (size, lines))  # an edge's row may be too pale to count
 
 
 class AnimateTest(CommandTest):

@@ -2,6 +2,7 @@
 #include "ui/interface.h"
 #include "ui/numbers.h"
 
+#include "core/lesson.h"
 #include "core/scene_fields.h"
 #include "core/scene_file.h"
 #include "core/scene_json.h"
@@ -16,6 +17,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <memory>
 #include <random>
 
 namespace normalscope {
@@ -154,6 +156,22 @@ TEST_F(InterfaceTest, PlaysTheStackOnceAndEndsWithAllOfIt) {
     EXPECT_EQ(scene_, before);
     for (int i = 0; i < 60; ++i) step();
     EXPECT_TRUE(std::isinf(interface_.redraw_after()));
+}
+
+// Beside the panel, and in a lecture hall: words that need more than half of the window would be cut off and scroll.
+TEST_F(InterfaceTest, ALessonsWordsFitTheirStrip) {
+    for (const glm::ivec2 size : {glm::ivec2(1024, 768), glm::ivec2(1280, 720), glm::ivec2(1920, 1080)})
+        for (const bool presenting : {false, true}) {
+            const float share = std::min(static_cast<float>(size.x) / 1920.0f, static_cast<float>(size.y) / 1080.0f);
+            for (const BuiltInLesson& lesson : built_in_lessons()) {
+                interface_.present(presenting);
+                interface_.open_lesson(std::make_shared<const Lesson>(load_lesson(lesson.name)), Scene{}, 0);
+                interface_.prepare(Theme::Light, presenting ? 28.0f / 13.0f * share : 1.0f);
+                const int strip = size.y - interface_.picture(size).size.y;
+                EXPECT_GT(strip, 0) << lesson.name;
+                EXPECT_LT(strip, size.y / 2) << lesson.name << ", " << size.x << " wide, " << presenting;
+            }
+        }
 }
 
 TEST_F(InterfaceTest, NotesGoAndErrorsStay) {
