@@ -165,10 +165,10 @@ private:
     }
 
     std::string tab(const Json& json, const Path& path) const {
-        constexpr std::array<std::string_view, 4> kTabs{"derivation", "stack", "maps", "error"};
+        constexpr std::array<std::string_view, 5> kTabs{"derivation", "stack", "maps", "error", "ray"};
         const std::string name = sentence(json, path, kLongestNote);
         if (std::ranges::find(kTabs, name) == kTabs.end())
-            fail(path, "expected one of derivation, stack, maps, error, found \"" + name + "\"");
+            fail(path, "expected one of derivation, stack, maps, error, ray, found \"" + name + "\"");
         return name;
     }
 

@@ -25,6 +25,7 @@ public:
     bool running() const { return lesson_ != nullptr; }
 
     const Lesson& lesson() const { return *lesson_; }
+    const std::shared_ptr<const Lesson>& shared_lesson() const { return lesson_; }
     std::size_t number() const { return step_; }  ///< counted from 0
     const LessonStep& step() const { return lesson_->steps[step_]; }
     bool has_next() const { return step_ + 1 < lesson_->steps.size(); }

@@ -20,10 +20,10 @@ constexpr std::array<ImWchar, 15> kLatin{0x20,   0x7E,   0xA0,   0xB1,   0xB4,  
 constexpr std::array<ImWchar, 15> kLatinFew{0x20,   0x7E,   0xB0,   0xB1,   0xB7,   0xB7,   0xBA, 0xBE,
                                             0x2014, 0x2019, 0x2026, 0x2026, 0x2212, 0x2212, 0};
 // From DejaVu Sans: super- and subscripts, Greek, arrows, operators, marks.
-constexpr std::array<ImWchar, 31> kMath{0xB2,   0xB3,   0xB9,   0xB9,   0x3B8,  0x3B8,  0x3BA,  0x3BB,
-                                        0x3C0,  0x3C0,  0x3C3,  0x3C3,  0x1D40, 0x1D40, 0x207B, 0x207B,
-                                        0x2080, 0x2084, 0x2190, 0x2194, 0x2202, 0x2207, 0x2218, 0x221E,
-                                        0x2248, 0x2265, 0x2713, 0x2717, 0x22A5, 0x22A5, 0};
+constexpr std::array<ImWchar, 33> kMath{0xB2,   0xB3,   0xB9,   0xB9,   0x3B8,  0x3B8,  0x3BA,  0x3BB,  0x3C0,
+                                        0x3C0,  0x3C3,  0x3C3,  0x1D40, 0x1D40, 0x2032, 0x2032, 0x207B, 0x207B,
+                                        0x2080, 0x2084, 0x2190, 0x2194, 0x2202, 0x2207, 0x2218, 0x221E, 0x2248,
+                                        0x2265, 0x2713, 0x2717, 0x22A5, 0x22A5, 0};
 constexpr std::array<ImWchar, 17> kMathFew{0xB2,   0xB3,   0xB9,   0xB9,   0x3C3,  0x3C3,  0x1D40, 0x1D40, 0x207B,
                                            0x207B, 0x2080, 0x2083, 0x2207, 0x2207, 0x2260, 0x2260, 0};
 
@@ -111,12 +111,16 @@ Fonts build_fonts(float scale, ExtraLetters& extra, Previews* previews, bool cap
         return font;
     };
     Fonts fonts;
-    fonts.body = both(kRegular, kBodySize, kLatin.data(), kMath.data());
-    if (letters.size() > 1) {
-        baker.merge(kRegular, kBodySize, letters.data(), fonts.body);
-        baker.merge(kSymbols, kBodySize * kSymbolsSize, letters.data(), fonts.body);
-    }
-    fonts.small = both(kRegular, 13.0f, kLatin.data(), kMath.data());
+    const auto all = [&](float em) {
+        ImFont* font = both(kRegular, em, kLatin.data(), kMath.data());
+        if (letters.size() > 1) {
+            baker.merge(kRegular, em, letters.data(), font);
+            baker.merge(kSymbols, em * kSymbolsSize, letters.data(), font);
+        }
+        return font;
+    };
+    fonts.body = all(kBodySize);
+    fonts.small = all(13.0f);
     fonts.strong = both(kSemibold, kBodySize, kLatinFew.data(), kMathFew.data());
     fonts.title = both(kSemibold, 20.0f, kLatinFew.data(), kMathFew.data());
     fonts.letters = baker.add(kSlanted, 20.0f, kLetters.data());
@@ -125,12 +129,8 @@ Fonts build_fonts(float scale, ExtraLetters& extra, Previews* previews, bool cap
     fonts.numbers = baker.add(kRegular, 14.0f, kDigits.data());
     fonts.tiny = baker.add(kRegular, 10.0f, kLetters.data());
     if (captions) {
-        fonts.caption = both(kRegular, 19.0f, kLatin.data(), kMath.data());
-        if (letters.size() > 1) {
-            baker.merge(kRegular, 19.0f, letters.data(), fonts.caption);
-            baker.merge(kSymbols, 19.0f * kSymbolsSize, letters.data(), fonts.caption);
-        }
-        fonts.equation = both(kRegular, 25.0f, kLatin.data(), kMath.data());
+        fonts.caption = all(19.0f);
+        fonts.equation = all(25.0f);
     }
     ImGui::GetIO().FontDefault = fonts.body;
     if (previews) previews->reserve(atlas);

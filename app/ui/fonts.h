@@ -23,7 +23,7 @@ struct Fonts {
     ImFont* equation = nullptr;  ///< 25 px
 };
 
-/// Letters beyond those that the interface itself uses: those of file names and messages. Baking every letter of every
+/// Letters beyond those that the interface itself uses: those of file names, messages and lessons. Baking every letter of every
 /// script at the start would cost more than all else that the interface does.
 class ExtraLetters {
 public:

@@ -25,6 +25,7 @@ namespace normalscope {
 struct Interface::State {
     Look look;
     ExtraLetters letters;
+    std::weak_ptr<const Lesson> lettered;  ///< whose letters have been asked for
     PanelMemory panel;
     DerivationPanel derivation;
     FileDialog dialog;
@@ -43,8 +44,10 @@ struct Interface::State {
 
     void watch_the_clock();
     std::vector<SideTab> tabs();
-    /// Not for a room; nor in an exercise, whose answer it would tell.
-    bool shows_panel() const { return panel_shown && !lecture.presenting && !lecture.predict.running(); }
+    /// Not for a room; nor in an exercise, whose answer it would tell; nor where it and the tab that a lesson opens would
+    /// leave too little of the picture.
+    bool shows_panel(int framebuffer) const;
+    void want_letters_of_lesson();
     /// How much of the framebuffer's width the open tab takes.
     int side_width(int framebuffer) const;
 };
@@ -107,6 +110,31 @@ std::vector<SideTab> Interface::State::tabs() {
             {kTabIds[4], "Ray", "What a ray tracer does with one ray, step by step.", draw_ray_tab}};
 }
 
+bool Interface::State::shows_panel(int framebuffer) const {
+    if (!panel_shown || lecture.presenting || lecture.predict.running()) return false;
+    const int beside = side_width(framebuffer);
+    return !lecture.player.running() || beside == 0 ||
+           framebuffer - static_cast<int>(look.px(kPanelWidth)) - beside >=
+               static_cast<int>(look.px(kNarrowestPicture));
+}
+
+// A lecturer may write in any script.
+void Interface::State::want_letters_of_lesson() {
+    if (!look.fonts.body || !lecture.player.running() || lettered.lock() == lecture.player.shared_lesson()) return;
+    const std::shared_ptr<const Lesson> lesson = lecture.player.shared_lesson();
+    lettered = lesson;
+    const auto want = [&](std::string_view words) { letters.want(words, look.fonts.body); };
+    want(lesson->title);
+    for (const LessonStep& step : lesson->steps) {
+        want(step.caption);
+        want(step.look_at);
+        for (const std::string& line : step.equations) want(line);
+        if (!step.question) continue;
+        want(step.question->text);
+        for (const Answer& choice : step.question->choices) want(choice.text), want(choice.because);
+    }
+}
+
 int Interface::State::side_width(int framebuffer) const {
     if (!side.open || lecture.predict.running()) return 0;
     return std::min(static_cast<int>(look.px(side.open == kDerivation ? kDerivationWidth : kSideWidth)), framebuffer);
@@ -130,17 +158,19 @@ bool Interface::prepare(Theme theme, float scale) {
     if (scaled || theme != look.theme) set_style(look, theme, scale);
     Previews& previews = state_->panel.gallery.previews;
     const bool captions = state_->lecture.talks();
+    state_->want_letters_of_lesson();
     if (!scaled && !state_->letters.pending() && !previews.needs_room() && captions == state_->captions)
         return previews.update(*ImGui::GetIO().Fonts);
     state_->captions = captions;
     look.fonts = build_fonts(scale, state_->letters, &previews, captions);
     state_->derivation.forget_layout();
     state_->lecture.forget_layout();
+    if (first) (void)prepare(theme, scale);  // which letters are missing is known only by now
     return true;
 }
 
 PixelRect Interface::picture(glm::ivec2 framebuffer) const {
-    const bool with_panel = state_->shows_panel();
+    const bool with_panel = state_->shows_panel(framebuffer.x);
     const int panel = with_panel ? static_cast<int>(state_->look.px(kPanelWidth)) : 0;
     // In a window hardly wider than the panels, they cover part of the picture rather than all of it.
     const int left = framebuffer.x - panel >= panel / 4 ? panel : 0;
@@ -162,7 +192,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     const auto strip_top = static_cast<float>(frame.rect.origin.y + frame.rect.size.y);
     s.lecture.draw(s.look, scene, {static_cast<float>(frame.rect.origin.x), strip_top},
                    {static_cast<float>(frame.rect.size.x), ImGui::GetIO().DisplaySize.y - strip_top});
-    if (s.shows_panel())
+    if (s.shows_panel(static_cast<int>(ImGui::GetIO().DisplaySize.x)))
         draw_panel(scene, s.panel,
                    {.look = s.look,
                     .frame = frame,

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>  // ImTextCharFromUtf8
 
 #include <algorithm>
 #include <array>
@@ -19,6 +20,8 @@
 #include <limits>
 #include <memory>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace normalscope {
 namespace {
@@ -172,6 +175,29 @@ TEST_F(InterfaceTest, ALessonsWordsFitTheirStrip) {
                 EXPECT_LT(strip, size.y / 2) << lesson.name << ", " << size.x << " wide, " << presenting;
             }
         }
+}
+
+// Also those of a lecturer's own script: whatever one of the fonts has.
+TEST_F(InterfaceTest, EveryLetterOfALessonIsThere) {
+    Lesson lesson{.name = "mine", .title = "Ж", .about = {}, .steps = {}};
+    lesson.steps.push_back({.scene = {}, .caption = "Ψ∮", .look_at = "ł", .equations = {"o′ = Ω"}});
+    std::vector<Lesson> lessons{lesson};
+    for (const BuiltInLesson& built_in : built_in_lessons()) lessons.push_back(load_lesson(built_in.name));
+    for (const Lesson& each : lessons) {
+        interface_.open_lesson(std::make_shared<const Lesson>(each), Scene{}, 0);
+        interface_.prepare(Theme::Light, 1.0f);
+        std::string all = each.title;
+        for (const LessonStep& step : each.steps) {
+            all += step.caption + step.look_at;
+            for (const std::string& line : step.equations) all += line;
+        }
+        for (const char* at = all.data(); at < all.data() + all.size();) {
+            unsigned letter = 0;
+            at += ImTextCharFromUtf8(&letter, at, all.data() + all.size());
+            for (const ImFont* font : {ImGui::GetIO().FontDefault, ImGui::GetIO().Fonts->Fonts.back()})
+                EXPECT_TRUE(font->FindGlyphNoFallback(static_cast<ImWchar>(letter))) << each.name << std::hex << letter;
+        }
+    }
 }
 
 TEST_F(InterfaceTest, NotesGoAndErrorsStay) {
