@@ -5,6 +5,7 @@
 #include "gl/tracer.h"
 #include "gl/vertex_data.h"
 
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -272,11 +273,13 @@ void Renderer::Resources::draw_arrows(const Frame& frame, const Pane& pane) {
         scene_program.shaft_radius = draw.radius;
         const float head =
             std::min(ArrowProportions::kHeadLength * draw.radius, ArrowProportions::kLongestHead * draw.length);
+        // How the distance from the eye grows over object space: w is that distance.
+        const glm::vec3 away = glm::row(glm::mat4(pane.view.clip_from_world()) * draw.world_from_object, 3);
         scene_program.head_length = head;
-        arrows->draw();
+        arrows->draw(away);
         if (!draw.two_heads) continue;
         scene_program.arrow_length = draw.length - ArrowProportions::kToSecondHead * head;
-        arrows->draw();
+        arrows->draw(away);
     }
     glDisable(GL_CULL_FACE);
 }

@@ -1,6 +1,7 @@
 #include "gl/vertex_data.h"
 
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/type_precision.hpp>
 
@@ -8,6 +9,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
+#include <ranges>
+#include <utility>
 #include <vector>
 
 namespace normalscope {
@@ -49,6 +53,8 @@ void fill_scene_vertices(const GlVertexArray& array, const GlBuffer& vertices, s
 
 constexpr std::array<SiteVertex, 1> kNoSites{};  // for what is no arrow
 
+SiteVertex site_vertex(const Site& site) { return {site.point.xyz, site.normal.xyz}; }
+
 // The first instance's site is this one of the bound buffer.
 void point_at_sites(std::size_t first) {
     const std::size_t offset = first * sizeof(SiteVertex);
@@ -61,9 +67,12 @@ void fill_sites(const GlBuffer& sites, std::span<const SiteVertex> data) {
     point_at_sites(0);
 }
 
-// So many arrows leave each a few pixels: a shaft and a head of three triangles in all, turned to the eye.
+// So many arrows leave each a few pixels: a shaft and a head of a triangle each, turned to the eye.
 constexpr std::size_t kFlatFrom = 20'000;
 constexpr int kFlat = 4;
+// So many leave none to be seen by itself: needles, of one triangle.
+constexpr std::size_t kNeedlesFrom = 300'000;
+constexpr int kNeedle = 2;
 
 // The fewer arrows, the rounder each: their triangles are what a frame costs on a processor. scene.vert turns the shaft's
 // one half to the eye.
@@ -82,16 +91,21 @@ std::vector<Vertex> arrow_shape(int head_sides) {
     const auto on_head = [&](int i, float radius, float along, float outward, float axial) {
         return corner(static_cast<float>(i), radius, along, outward, axial);
     };
+    constexpr float kWide = ArrowProportions::kHeadRadius;
+    if (head_sides == kNeedle)
+        return {corner(0.0f, 1.5f, 0.0f, 1.0f, 0.0f), corner(1.0f, 1.5f, 0.0f, 1.0f, 0.0f),
+                corner(0.5f, 0.0f, 2.0f, 1.0f, 0.0f)};
+    if (head_sides == kFlat)  // the head's corners are those of its outline, seen from the side
+        return {on_shaft(0, 0.0f),
+                on_shaft(1, 0.0f),
+                corner(1.0f, 0.0f, 2.0f, 1.0f, 0.0f),
+                on_head(0, kWide, 1.0f, 1.0f, kSlant),
+                on_head(half, kWide, 1.0f, 1.0f, kSlant),
+                corner(1.0f, 0.0f, 2.0f, 1.0f, kSlant)};
     std::vector<Vertex> corners;
     for (int i = 0; i < half - 1; ++i) {
         const Vertex a = on_shaft(i, 0.0f), b = on_shaft(i + 1, 0.0f), c = on_shaft(i + 1, 1.0f), d = on_shaft(i, 1.0f);
         corners.insert(corners.end(), {a, b, c, a, c, d});
-    }
-    constexpr float kWide = ArrowProportions::kHeadRadius;
-    if (head_sides == kFlat) {  // of the same three corners as its outline, seen from the side
-        corners.insert(corners.end(), {on_head(0, kWide, 1.0f, 1.0f, kSlant), on_head(half, kWide, 1.0f, 1.0f, kSlant),
-                                       corner(1.0f, 0.0f, 2.0f, 1.0f, kSlant)});
-        return corners;
     }
     for (int i = 0; i < head_sides; ++i)
         corners.insert(corners.end(), {on_head(i, kWide, 1.0f, 1.0f, kSlant), on_head(i + 1, kWide, 1.0f, 1.0f, kSlant),
@@ -141,17 +155,45 @@ void MeshVertices::draw() const {
     glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
 }
 
-ArrowVertices::ArrowVertices(std::span<const Site> sites) : site_count_(static_cast<GLsizei>(sites.size())) {
-    const std::vector<Vertex> shape = arrow_shape(sites.size() >= kFlatFrom ? kFlat : sites.size() > 60 ? 6 : 8);
+ArrowVertices::ArrowVertices(std::span<const Site> sites)
+    : all_(sites), site_count_(static_cast<GLsizei>(sites.size())) {
+    const std::size_t count = sites.size();
+    const std::vector<Vertex> shape = arrow_shape(count >= kNeedlesFrom ? kNeedle
+                                                  : count >= kFlatFrom  ? kFlat
+                                                  : count > 60          ? 6
+                                                                        : 8);
     shape_count_ = static_cast<GLsizei>(shape.size());
     std::vector<SiteVertex> instances(sites.size());
-    for (std::size_t i = 0; i < instances.size(); ++i) instances[i] = {sites[i].point.xyz, sites[i].normal.xyz};
+    for (std::size_t i = 0; i < instances.size(); ++i) instances[i] = site_vertex(sites[i]);
     fill_scene_vertices(array_, shape_, shape);
     fill_sites(sites_, instances);
 }
 
-void ArrowVertices::draw() const {
+// Where arrows hide one another by the thousand, the nearest are drawn first: what lies behind is not shaded. A coarse
+// direction will do, and is kept while the eye hardly moves; but the order depends on nothing else, so that a picture
+// is the same whatever was drawn before it.
+void ArrowVertices::put_in_order(const glm::vec3& away_from_eye) {
+    if (!(glm::dot(away_from_eye, away_from_eye) > 0.0f)) return;
+    constexpr float kDirections = 6.0f;
+    const glm::ivec3 order(glm::round(kDirections * glm::normalize(away_from_eye)));
+    if (std::exchange(order_, order) == order) return;
+
+    constexpr std::size_t kLayers = 4096;
+    const auto depth = [&](const Site& site) { return glm::dot(glm::dvec3(order), site.point.xyz); };
+    const auto [near, far] = std::ranges::minmax(all_ | std::views::transform(depth));
+    const double scale = far > near ? (kLayers - 1) / (far - near) : 0.0;
+    const auto layer = [&](const Site& site) { return static_cast<std::size_t>(scale * (depth(site) - near)); };
+    std::array<std::size_t, kLayers + 1> starts{};
+    for (const Site& site : all_) ++starts[layer(site) + 1];
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    std::vector<SiteVertex> sorted(all_.size());
+    for (const Site& site : all_) sorted[starts[layer(site)]++] = site_vertex(site);
+    bind_and_fill(sites_, GL_ARRAY_BUFFER, sorted.size() * sizeof(SiteVertex), sorted.data());
+}
+
+void ArrowVertices::draw(const glm::vec3& away_from_eye) {
     if (site_count_ == 0) return;
+    if (all_.size() >= kFlatFrom) put_in_order(away_from_eye);
     // A software driver holds all vertices of a draw at once, after the shader: 2 GB for a million arrows.
     // What it then bins of several draws adds up as well, where it draws slower than it bins.
     constexpr GLsizei kBatch = 8192, kAhead = 8 * kBatch;

@@ -49,10 +49,16 @@ private:
 /// One arrow's shape, drawn at every site.
 class ArrowVertices {
 public:
+    /// The sites have to outlive this.
     explicit ArrowVertices(std::span<const Site> sites);
-    void draw() const;
+    /// `away_from_eye`, in object space, says which arrows hide which.
+    void draw(const glm::vec3& away_from_eye);
 
 private:
+    void put_in_order(const glm::vec3& away_from_eye);
+
+    std::span<const Site> all_;
+    glm::ivec3 order_{0};
     GlVertexArray array_;
     GlBuffer shape_, sites_;
     GLsizei shape_count_ = 0, site_count_ = 0;
