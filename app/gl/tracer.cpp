@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <array>
 
 namespace normalscope {
 
@@ -110,6 +111,21 @@ void Tracer::fill_tiles() {
     glScissor(box_.origin.x, box_.origin.y, box_.size.x, box_.size.y);
 }
 
+// Tiles hold pixels beside the box, too, and edges are looked for there: an earlier picture must not remain in them.
+void Tracer::clear_around_box() {
+    constexpr int kBeside = kTile + 1;
+    const glm::ivec2 low = box_.origin, size = box_.size, end = low + size;
+    const auto clear = [](int x, int y, int width, int height) {
+        glScissor(x, y, width, height);
+        glClearBufferfv(GL_COLOR, 0, std::array{0.0f, 0.0f, 0.0f, 0.0f}.data());
+    };
+    clear(low.x - kBeside, low.y - kBeside, size.x + 2 * kBeside, kBeside);
+    clear(low.x - kBeside, end.y, size.x + 2 * kBeside, kBeside);
+    clear(low.x - kBeside, low.y, kBeside, size.y);
+    clear(end.x, low.y, kBeside, size.y);
+    glScissor(low.x, low.y, size.x, size.y);
+}
+
 void Tracer::trace(const ImplicitSurface& surface, const CameraView& view, glm::ivec2 size,
                    const glm::dmat4& object_from_world, std::span<const glm::vec2> shifts) {
     GLint framebuffer = 0;
@@ -144,6 +160,7 @@ void Tracer::trace(const ImplicitSurface& surface, const CameraView& view, glm::
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, layers_.back().texture.id());
     glBindFramebuffer(GL_FRAMEBUFFER, layers_[0].framebuffer.id());
+    clear_around_box();
     program_->only_edges = 0.0f;
     program_->shift = glm::vec2(0.0f);
     program_->tile = glm::vec2(0.0f);

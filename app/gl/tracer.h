@@ -50,6 +50,7 @@ private:
     void hold(const ImplicitSurface& surface);
     void hold(glm::ivec2 size, std::size_t layers);
     void fill_tiles();
+    void clear_around_box();
 
     std::string formula_;  // in GLSL, that the program is made for
     std::optional<TraceProgram> program_;

@@ -3,6 +3,7 @@
 #include "core/error.h"
 #include "core/formula/parse.h"
 #include "ui/numbers.h"
+#include "ui/small_matrix.h"
 #include "ui/widgets.h"
 
 #include <imgui_internal.h>  // GetInputTextState: how far the field has scrolled
@@ -91,7 +92,10 @@ void field(Scene& scene, FormulaSurface& surface, FormulaMemory& memory, const P
     const ImGuiID id = ImGui::GetID("##formula");
     if (draft.follow(surface) && ImGui::GetActiveID() == id)
         ImGui::ClearActiveID();  // the field would write its own back
-    if (memory.focus) ImGui::SetKeyboardFocusHere();
+    if (memory.focus) {
+        ImGui::SetKeyboardFocusHere();
+        ImGui::SetScrollHereY(0.15f);  // what is said of the formula stands below
+    }
     memory.focus = false;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     if (draft.mistake()) ImGui::PushStyleColor(ImGuiCol_Border, look.bad);
@@ -195,6 +199,8 @@ void formula_section(Scene& scene, FormulaMemory& memory, const PanelContext& co
     if (!surface) return;
     const Look& look = context.look;
     field(scene, *surface, memory, context);
+    if (const std::shared_ptr<const Surface>& drawn = context.frame.surface; drawn && !drawn->mesh.note.empty())
+        remark(look, look.accent, drawn->mesh.note);
     // The derivatives stand with their values at the probe, unless there is none.
     written_formula(look, memory.written, surface->formula, ImGui::GetContentRegionAvail().x,
                     context.frame.probe ? 1 : 4);

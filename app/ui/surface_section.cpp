@@ -100,7 +100,7 @@ void surface_section(Scene& scene, PanelMemory& memory, const PanelContext& cont
     ImGui::PushFont(look.fonts.small);
     dim_text(look, grouped(mesh.triangles.size()) + " triangles, " + grouped(mesh.face_count()) + " faces, " +
                        grouped(mesh.positions.size()) + " vertices");
-    if (!mesh.note.empty()) wrapped_line(mesh.note);
+    if (!mesh.note.empty() && !std::holds_alternative<FormulaSurface>(scene.surface)) wrapped_line(mesh.note);
     if (drawn_by_triangles(scene))
         wrapped_line("M has no inverse, so no ray goes to object space: what is drawn are these triangles.");
     ImGui::PopFont();
