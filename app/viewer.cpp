@@ -229,7 +229,9 @@ void Viewer::connect() {
             if (action == GLFW_PRESS) v.catch_up();
             if (v.to_lecture(key, action, modifiers)) return;
             ImGui_ImplGlfw_KeyCallback(window, key, code, action, modifiers);
-            if (action != GLFW_RELEASE) v.on_key(key, modifiers);
+            // A key that is held must not switch back and forth.
+            if (action == GLFW_PRESS || (action == GLFW_REPEAT && (modifiers & GLFW_MOD_CONTROL) != 0))
+                v.on_key(key, modifiers);
         });
     });
     glfwSetCharCallback(w, [](GLFWwindow* window, unsigned c) {
