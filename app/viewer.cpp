@@ -373,6 +373,7 @@ bool Viewer::redraw() {
         frame_->draft, rough,           gui_.interface.guess()};
     if (rough && !rough_target_) rough_target_.emplace(size, 1);
     Target& target = rough ? *rough_target_ : *target_;
+    renderer_.coarsen_drafts(pace_.coarse());
     if (drawn_ != now)
         renderer_.draw(*frame_, target);
     else

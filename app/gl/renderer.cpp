@@ -35,6 +35,7 @@ struct Renderer::Resources {
     std::optional<ErrorMapProgram> error_map_program;  // compiled when first wanted
     std::optional<TracedProgram> traced_program, traced_error_program;
     std::optional<Tracer> tracer;
+    int draft_coarseness = 2;
     PaneVertices backdrop;
     SolidVertices solids;
 
@@ -202,7 +203,7 @@ void Renderer::Resources::draw_surface(const Frame& frame, const Pane& pane, con
 }
 
 void Renderer::Resources::draw_traced(const Frame& frame, const Pane& pane, const SurfaceDraw& draw) {
-    const int coarseness = frame.draft ? 2 : 1;
+    const int coarseness = frame.draft ? draft_coarseness : 1;
     std::vector<glm::vec2> shifts;
     if (!frame.draft) shifts = sample_places();
     for (glm::vec2& place : shifts) place -= 0.5f;
@@ -313,6 +314,8 @@ void Renderer::Resources::draw_pane(const Frame& frame, const Pane& pane) {
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
 }
+
+void Renderer::coarsen_drafts(bool more) { resources_->draft_coarseness = more ? 3 : 2; }
 
 void Renderer::draw(const Frame& frame, Target& target) {
     resources_->hold(frame.surface);

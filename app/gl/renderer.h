@@ -20,6 +20,8 @@ public:
     void draw(const Frame& frame, Target& target);
     /// The same for the frame that was drawn last, from the samples that it left.
     void draw_again(const Frame& frame, Target& target);
+    /// From now on, drafts of a formula's surface have a ray for nine pixels rather than for four.
+    void coarsen_drafts(bool more);
 
 private:
     struct Resources;

@@ -76,6 +76,7 @@ public:
         Scene shown = scene;
         gui_.layout(kSize, scene.theme, scale_, [&] { gui_.interface.draw(shown, frame, status); });
         const bool rough = pace_.rough(moving) || (moving && surface->implicit);
+        renderer_.coarsen_drafts(pace_.coarse());
         renderer_.draw(frame, rough ? rough_target_ : target_);
         gui_.draw();
         glFinish();
