@@ -96,7 +96,8 @@ function(python_tests folder)
     set_tests_properties(${folder}.${name} PROPERTIES LABELS ${folder} ENVIRONMENT "${test_environment}"
       SKIP_RETURN_CODE 77)
     if(folder STREQUAL window)  # xvfb-run looks for a free display number without reserving it
-      set_tests_properties(${folder}.${name} PROPERTIES RESOURCE_LOCK display)
+      # One after the other, so they start first: the others run beside them.
+      set_tests_properties(${folder}.${name} PROPERTIES RESOURCE_LOCK display COST 2000)
     endif()
   endforeach()
 endfunction()
