@@ -3,6 +3,7 @@
 #include "core/json_text.h"
 #include "core/json_values.h"
 #include "core/scene_json.h"
+#include "core/worst_dots.h"
 
 #include <glm/geometric.hpp>
 
@@ -66,6 +67,12 @@ Json numbers_json(const Scene& scene, const Frame& frame, const std::optional<Dr
     j["error_degrees"]["mean"] = json_or_null(errors, [](const auto& e) { return json_number(e.mean_degrees); });
     j["error_degrees"]["bound"] = json_or_null(matrices.error_bound_degrees(), json_number);
     j["error_degrees"]["at"] = json_or_null(errors, [](const auto& e) { return json_vector(e.at.xyz); });
+    const auto dots =
+        worst_dots(frame.surface->mesh.normals,
+                   {mistaken, normal_map(scene, m, Rule::InverseTranspose), normal_map(scene, m, Rule::Cofactor)},
+                   tangent_matrix(scene, m));
+    for (const Rule rule : kRules)
+        j["worst_dot"][std::string(name(rule))] = json_or_null(dots[static_cast<std::size_t>(rule)], json_number);
     j["probe"] =
         json_or_null(frame.probe, [&](const ProbeInWorld& p) { return probe_json(p, frame.surface->implicit.get()); });
     return j;

@@ -7,7 +7,7 @@ import unittest
 from support import CommandTest, close_to
 
 RULES = ["naive", "inverse-transpose", "cofactor"]
-KEYS = ["program", "renderer", "gl_version", "context", "mistake", "M", "determinant", "rank", "condition", "normal_matrix", "error_degrees", "probe"]
+KEYS = ["program", "renderer", "gl_version", "context", "mistake", "M", "determinant", "rank", "condition", "normal_matrix", "error_degrees", "worst_dot", "probe"]
 PROBE_KEYS = ["point_object", "point_world", "n_object", "n_world", "tangents_object", "tangents_world", "dots", "f", "gradient"]
 
 
@@ -113,6 +113,15 @@ class NumbersTest(CommandTest):
         self.assertIsNone(numbers["probe"]["n_world"]["inverse-transpose"])
         self.assertIsNone(numbers["probe"]["dots"]["inverse-transpose"])
         close_to(self, numbers["probe"]["dots"]["cofactor"], [0, 0])
+
+    def test_the_worst_dot_of_the_whole_surface(self):
+        dots = self.numbers()["worst_dot"]
+        self.assertLess(abs(dots["inverse-transpose"]), 1e-12)
+        self.assertLess(abs(dots["cofactor"]), 1e-12)
+        # sin 61.928°, but for the tangents that are looked at
+        self.assertGreater(dots["naive"], 0.7)
+        self.assertLess(dots["naive"], 0.8824)
+        self.assertIsNone(self.numbers(*scaled(1, 1, 0))["worst_dot"]["inverse-transpose"])
 
     def test_ranks_1_and_0(self):
         for factors, rank in (((1, 0, 0), 1), ((0, 0, 0), 0)):
