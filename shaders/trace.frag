@@ -68,7 +68,7 @@ void main() {
             bool narrow = width < 1.5 * narrowest, dips = false;
             if (narrow && fresh) {
                 dip = previous = vec2(low, f_low);
-                dip_left = before_low;
+                if (!POLYNOMIAL) dip_left = before_low;
                 peak = abs(before_low.y);
                 highest = max(peak, abs(f_low));
             }
@@ -79,16 +79,20 @@ void main() {
                 largest = max(largest, size);
                 smallest = min(smallest, size);
                 if (!narrow) continue;
-                if (size < abs(dip.y)) {
-                    dip_left = previous;
-                    dip = here;
-                    peak = highest;
-                } else if (!dips && peak > abs(dip.y)) {
-                    dip_right = here;
-                    dips = true;
+                bool lower = size < abs(dip.y);
+                // All that is not needed for polynomials is marked as such: llvmpipe runs what no pixel wants as well.
+                if (!POLYNOMIAL) {
+                    if (lower) {
+                        dip_left = previous;
+                        peak = highest;
+                    } else if (!dips && peak > abs(dip.y)) {
+                        dip_right = here;
+                        dips = true;
+                    }
+                    previous = here;
+                    highest = max(highest, size);
                 }
-                previous = here;
-                highest = max(highest, size);
+                if (lower) dip = here;
             }
             to_bernstein(s, c);
             float least = c[0], most = c[0], changes = 0.0;
@@ -108,7 +112,7 @@ void main() {
             bool free = least > slack || most < -slack;
             crosses = s[DEGREE] < 0.0 != f_low < 0.0;
             // What looks free after narrow parts may go on from a kink at their end.
-            if (free && !narrow && !fresh && smallest >= abs(dip.y) && peak > abs(dip.y)) {
+            if (!POLYNOMIAL && free && !narrow && !fresh && smallest >= abs(dip.y) && peak > abs(dip.y)) {
                 dip_right = vec2(low + width * POINTS[1], s[1]);
                 dips = true;
             } else {
@@ -127,7 +131,7 @@ void main() {
             }
             if (free || narrow) {
                 fresh = !narrow;
-                before_low = vec2(low + width * POINTS[DEGREE - 1], s[DEGREE - 1]);
+                if (!POLYNOMIAL) before_low = vec2(low + width * POINTS[DEGREE - 1], s[DEGREE - 1]);
                 low += width;
                 f_low = s[DEGREE];
                 if (low >= to - 0.5 * narrowest) break;
@@ -151,14 +155,13 @@ void main() {
             right = dip_right.x;
             shallow = min(abs(f_left), abs(dip_right.y));
         }
-        for (int i = 0; i < 64 && (crosses || (descend && i < 24)); ++i) {
+        for (int i = 0; i < 64 && (crosses || (!POLYNOMIAL && descend && i < 24)); ++i) {
             float before = right - left;
+            t = halve ? left + 0.5 * before : (left * f_right - right * f_left) / (f_right - f_left);
             bool on_the_left = dip.x - left > right - dip.x;
-            t = descend ? 0.5 * (dip.x + (on_the_left ? left : right))
-                : halve ? left + 0.5 * before
-                        : (left * f_right - right * f_left) / (f_right - f_left);
+            if (!POLYNOMIAL && descend) t = 0.5 * (dip.x + (on_the_left ? left : right));
             f_t = f(o + t * d);
-            if (descend) {
+            if (!POLYNOMIAL && descend) {
                 // Down to where |f| is least, unless f changes its sign on the way: then there is a root before that.
                 bool lower = abs(f_t) < abs(dip.y);
                 if (f_t < 0.0 != side < 0.0) {
@@ -191,7 +194,7 @@ void main() {
             halve = abs(right - left) > 0.5 * abs(before);
             if (done) break;
         }
-        if (descend) {
+        if (!POLYNOMIAL && descend) {
             t = dip.x;
             f_t = abs(dip.y) < 0.05 * shallow ? 0.0 : LARGEST;
         }

@@ -10,7 +10,17 @@
 namespace normalscope {
 
 void tip(const Look& look, const char* text) {
-    if (!*text || !ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    // Who has just clicked looks at what comes of it: the tip would cover that, so it waits for the pointer's return.
+    constexpr ImGuiID kClicked = 0x7469705F;  // in the window's storage: the item
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const auto item = static_cast<int>(ImGui::GetItemID());
+    const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
+    if (ImGui::IsItemActive() || ImGui::IsItemDeactivated())
+        storage.SetInt(kClicked, item);
+    else if (!hovered && storage.GetInt(kClicked) == item)
+        storage.SetInt(kClicked, 0);
+    if (!*text || !hovered || storage.GetInt(kClicked) == item) return;
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) return;
     if (!ImGui::BeginTooltip()) return;
     ImGui::PushFont(look.fonts.small);
     ImGui::PushTextWrapPos(look.px(340));
