@@ -161,6 +161,10 @@ void Tracer::trace(const ImplicitSurface& surface, const CameraView& view, glm::
     glBindTexture(GL_TEXTURE_2D, layers_.back().texture.id());
     glBindFramebuffer(GL_FRAMEBUFFER, layers_[0].framebuffer.id());
     clear_around_box();
+    // What replaces everything blends as well, as far as Mesa knows: it would compile the program a second time for tiles
+    // that are wholly covered.
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ZERO);
     program_->only_edges = 0.0f;
     program_->shift = glm::vec2(0.0f);
     program_->tile = glm::vec2(0.0f);
@@ -179,7 +183,8 @@ void Tracer::trace(const ImplicitSurface& surface, const CameraView& view, glm::
         draw_tiles();
     }
 
-    if (blend) glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    if (!blend) glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
     glScissor(scissor[0], scissor[1], scissor[2], scissor[3]);
