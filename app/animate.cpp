@@ -42,6 +42,13 @@ std::vector<Picture> pictures_of(const Lesson& lesson, int frames_per_second, do
     return pictures;
 }
 
+// A picture that is held takes no more room.
+bool linked(const fs::path& from, const fs::path& to) {
+    std::error_code error;
+    fs::create_hard_link(from, to, error);
+    return !error;
+}
+
 }  // namespace
 
 int animate(const AnimateCommand& command) {
@@ -63,14 +70,16 @@ int animate(const AnimateCommand& command) {
     const CancelOnSignal cancel;
     {
         Progress progress(pictures.size());
+        Image image;
         for (std::size_t i = 0; i < pictures.size() && !CancelOnSignal::asked(); ++i) {
             const Picture& picture = pictures[i];
-            if (picture.same)
-                fs::copy_file(file(i - 1), file(i), fs::copy_options::overwrite_existing);
-            else
-                write_png(file(i),
-                          studio.capture(picture.scene, {.size = command.size, .lesson = lesson, .step = picture.step})
-                              .image);
+            if (!picture.same)
+                image =
+                    studio.capture(picture.scene, {.size = command.size, .lesson = lesson, .step = picture.step}).image;
+            if (!video)
+                write_png(file(i), image);
+            else if (!picture.same || !linked(file(i - 1), file(i)))
+                write_frame(file(i), image, command.output);
             progress.step();
         }
     }

@@ -51,9 +51,9 @@ public:
         }
         if (result_.line.empty()) result_.line = "the numbers are as expected";
         if (result_.state == "pass")
-            remove_evidence();
+            remove_old_evidence();
         else
-            write_png(evidence_file(command_, check_), actual_);
+            evident([&] { write_png(evidence_file(command_, check_), actual_); });
         if (command_.report) {
             details_["pictures"]["actual"] = base64(png_bytes(actual_));
             details_["numbers"] = numbers_;
@@ -90,7 +90,19 @@ private:
             details_["pictures"]["difference"] = base64(png_bytes(highlighted(verdict, expected)));
         }
         if (!verdict.agree)
-            leave_evidence(evidence_file(command_, check_), actual_, *check_.reference, expected, check_.tolerance);
+            evident([&] {
+                leave_evidence(evidence_file(command_, check_), actual_, *check_.reference, expected, check_.tolerance);
+            });
+    }
+
+    // What is found counts, even where its pictures find no room.
+    template <class Write>
+    void evident(Write&& write) {
+        try {
+            write();
+        } catch (const InputError& e) {
+            fail(e.what());
+        }
     }
 
     // The last third of the difference's picture.
@@ -100,14 +112,11 @@ private:
         return cropped(all, {all.size.x - size.x, 0}, size);
     }
 
-    // What an earlier run left would tell of a failure that is none any more.
-    void remove_evidence() const {
+    void remove_old_evidence() const {
+        const fs::path actual = evidence_file(command_, check_), reference = check_.reference.value_or(fs::path());
+        remove_evidence(actual, reference);
         std::error_code ignored;
-        const fs::path actual = evidence_file(command_, check_);
-        for (const char* ending : {".png", ".expected.png", ".difference.png"}) {
-            const fs::path file = actual.parent_path() / (actual.stem().string() + ending);
-            if (!check_.reference || !fs::equivalent(file, *check_.reference, ignored)) fs::remove(file, ignored);
-        }
+        if (!fs::equivalent(actual, reference, ignored)) fs::remove(actual, ignored);
     }
 
     const CheckCommand& command_;

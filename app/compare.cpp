@@ -32,9 +32,12 @@ int compare_capture(const CaptureCommand& command, const Image& actual) {
                          " and copy it there");
     const Image expected = read_png(*command.expected);
     const Verdict verdict = judge(actual, expected, command.tolerance);
-    if (!verdict.agree) leave_evidence(command.output, actual, *command.expected, expected, command.tolerance);
     write_file("/dev/stdout",
                (verdict.agree ? "agree: " : "differ: ") + command.output.string() + ": " + verdict.line() + "\n");
+    if (verdict.agree)
+        remove_evidence(command.output, *command.expected);
+    else
+        leave_evidence(command.output, actual, *command.expected, expected, command.tolerance);
     return verdict.agree ? 0 : 1;
 }
 

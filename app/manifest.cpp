@@ -3,6 +3,7 @@
 #include "cli/values.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/link.h"
 
 #include <algorithm>
 #include <cctype>
@@ -75,15 +76,19 @@ private:
 void read_how(Keys& object, Check& check) {
     object.text("size", check.picture.size, parse_size);
     object.text("samples", check.picture.samples, parse_samples);
+    object.text("ground", check.picture.ground, parse_ground);
+    object.text("scale", check.picture.scale, parse_scale);
     object.flag("panel", check.picture.panel);
     object.string("tab", check.picture.tab);
+    object.flag("captions", check.picture.captions);
     object.text("tolerance", check.tolerance.channel, parse_tolerance);
     object.text("share", check.tolerance.share, parse_share);
     object.flag("perceptual", check.tolerance.perceived);
 }
 
-// A scene's name, or a file's from the manifest's folder.
+// A scene's name or link, or a file's from the manifest's folder.
 std::string scene_from(const fs::path& folder, const std::string& scene) {
+    if (is_link(scene)) return scene;
     std::error_code ignored;
     const fs::path file = folder / scene;
     return fs::path(scene).has_extension() || fs::exists(file, ignored) ? file.lexically_normal().string() : scene;

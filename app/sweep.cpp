@@ -100,7 +100,10 @@ int sweep(const SweepCommand& command) {
                                    auto capture = std::make_shared<Capture>(studio->capture(
                                        scenes[i], capture_options(command, command.numbers.has_value())));
                                    return [&, i, capture] {
-                                       write_png(file(i), capture->image);
+                                       if (video)
+                                           write_frame(file(i), capture->image, command.output);
+                                       else
+                                           write_png(file(i), capture->image);
                                        return std::move(capture->numbers);
                                    };
                                };

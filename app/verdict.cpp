@@ -5,12 +5,17 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
+#include <cstdlib>
 
 namespace normalscope {
 
 namespace {
 
+namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+constexpr const char* kExpected = ".expected.png";
+constexpr const char* kDifference = ".difference.png";
 
 std::string text_of(glm::ivec2 size) { return std::to_string(size.x) + "x" + std::to_string(size.y); }
 
@@ -19,6 +24,19 @@ std::string formatted(const char* format, Values... values) {
     char line[256];
     std::snprintf(line, sizeof line, format, values...);
     return line;
+}
+
+// Rounded, but never so far that it could read as the very limit that it is beyond.
+std::string share_text(double share, double limit) {
+    for (int digits = 3;; ++digits) {
+        const std::string text = formatted("%.*g", digits, share);
+        if (digits == 17 || (std::strtod(text.c_str(), nullptr) > limit) == (share > limit)) return text;
+    }
+}
+
+fs::path beside(const fs::path& actual_file, const char* what) {
+    fs::path file = actual_file;
+    return file.replace_filename(actual_file.stem().string() + what);
 }
 
 }  // namespace
@@ -35,15 +53,15 @@ std::string Verdict::line() const {
     if (!difference) return "the size is " + text_of(actual_size) + ", expected " + text_of(expected_size);
     const ImageDifference& d = *difference;
     if (d.worst_by == 0) return text_of(actual_size) + ", every pixel is the same";
-    // A share in full: rounded, it could read as the very limit that it is beyond.
-    const auto counted = [&](std::int64_t pixels, double share, bool decides, const char* are_off) {
-        return std::to_string(pixels) + " of " + text_of(actual_size) + formatted(" pixels (a share of %.9g", share) +
-               (decides ? formatted(", %.9g allowed", tolerance.share) : "") +
-               formatted(") %s more than %d of 255", are_off, tolerance.channel);
+    const auto counted = [&](std::int64_t pixels, double share, bool decides) {
+        return std::to_string(pixels) + " of " + text_of(actual_size) + " pixels (a share of " +
+               share_text(share, tolerance.share) + (decides ? formatted(", %.9g allowed", tolerance.share) : "") + ")";
     };
-    const std::string channels = counted(d.pixels_beyond, d.share_beyond, !tolerance.perceived, "are off by");
-    const std::string seen = counted(d.seen_beyond, d.share_seen, tolerance.perceived, "look off by") +
-                             formatted(", edges' smoothing forgiven at %lld", static_cast<long long>(d.edges_forgiven));
+    const std::string more = formatted(" by more than %d of 255", tolerance.channel);
+    const std::string channels = counted(d.pixels_beyond, d.share_beyond, !tolerance.perceived) + " are off" + more;
+    const std::string seen =
+        counted(d.seen_beyond, d.share_seen, tolerance.perceived) + " look off" + more +
+        formatted(", and %lld that smooth an edge are forgiven", static_cast<long long>(d.edges_forgiven));
     return (tolerance.perceived ? seen + "; " + channels : channels) +
            formatted("; most %d at %d,%d", d.worst_by, d.worst.x, d.worst.y) +
            formatted("; most by channel %d %d %d %d", d.most[0], d.most[1], d.most[2], d.most[3]) +
@@ -70,16 +88,22 @@ Json Verdict::json() const {
     return j;
 }
 
-void leave_evidence(const std::filesystem::path& actual_file, const Image& actual,
-                    const std::filesystem::path& reference, const Image& expected, const Tolerance& tolerance) {
-    const auto beside = [&](const char* what) {
-        std::filesystem::path file = actual_file;
-        return file.replace_filename(actual_file.stem().string() + what);
-    };
+void leave_evidence(const fs::path& actual_file, const Image& actual, const fs::path& reference, const Image& expected,
+                    const Tolerance& tolerance) {
     std::error_code ignored;
-    const std::filesystem::path copy = beside(".expected.png");
-    if (!std::filesystem::equivalent(copy, reference, ignored)) write_png(copy, expected);
-    write_png(beside(".difference.png"), difference_picture(actual, expected, tolerance));
+    if (fs::exists(actual_file, ignored) && !fs::is_regular_file(actual_file, ignored)) return;  // not into /dev
+    const fs::path copy = beside(actual_file, kExpected);
+    if (!fs::equivalent(copy, reference, ignored)) write_png(copy, expected);
+    write_png(beside(actual_file, kDifference), difference_picture(actual, expected, tolerance));
+}
+
+void remove_evidence(const fs::path& actual_file, const fs::path& reference) {
+    std::error_code ignored;
+    if (fs::exists(actual_file, ignored) && !fs::is_regular_file(actual_file, ignored)) return;
+    for (const char* what : {kExpected, kDifference}) {
+        const fs::path file = beside(actual_file, what);
+        if (!fs::equivalent(file, reference, ignored)) fs::remove(file, ignored);
+    }
 }
 
 }  // namespace normalscope

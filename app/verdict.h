@@ -28,5 +28,7 @@ Verdict judge(const Image& actual, const Image& expected, const Tolerance& toler
 /// the reference itself, and OUT.difference.png.
 void leave_evidence(const std::filesystem::path& actual_file, const Image& actual,
                     const std::filesystem::path& reference, const Image& expected, const Tolerance& tolerance);
+/// Removes what leave_evidence left in an earlier run: it would tell of a failure that is none any more.
+void remove_evidence(const std::filesystem::path& actual_file, const std::filesystem::path& reference);
 
 }  // namespace normalscope

@@ -3,6 +3,7 @@
 #include "cancel.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/png.h"
 #include "progress.h"
 
 #include <fcntl.h>
@@ -12,6 +13,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <optional>
@@ -34,6 +36,12 @@ std::optional<fs::path> find_ffmpeg() {
         if (::access(program.c_str(), X_OK) == 0) return program;
     }
     return std::nullopt;
+}
+
+bool is_full(const fs::path& folder) {
+    std::error_code unknown;
+    const fs::space_info space = fs::space(folder, unknown);
+    return !unknown && space.available < std::uintmax_t{1} << 14;
 }
 
 // Half as many pixels of colour as of brightness is all that most players show; hence even sides.
@@ -118,10 +126,21 @@ void require_ffmpeg(const fs::path& video) {
                          "single pictures: -o frame-%03d.png");
 }
 
+void write_frame(const fs::path& file, const Image& image, const fs::path& video) {
+    try {
+        write_png(file, image);
+    } catch (const InputError& e) {
+        std::string line = e.what();
+        if (line.starts_with(file.string())) line.replace(0, file.string().size(), video.string());
+        throw InputError(line);
+    }
+}
+
 bool write_video(const fs::path& folder, std::size_t pictures, int frames_per_second, const fs::path& video) {
     const fs::path log = folder / "ffmpeg.log", partial = folder / ("video" + video.extension().string());
     std::vector<std::string> start{find_ffmpeg().value_or("ffmpeg").string(),
                                    "-y",
+                                   "-xerror",  // or a disk that fills at the very end leaves half a video, and no error
                                    "-loglevel",
                                    "error",
                                    "-framerate",
@@ -152,6 +171,7 @@ bool write_video(const fs::path& folder, std::size_t pictures, int frames_per_se
         if (*status == 0) continue;
         std::string said = read_file(log, std::size_t{1} << 20);
         while (said.ends_with('\n')) said.pop_back();
+        if (is_full(folder)) said = "\nNo space left on device";  // ffmpeg's own words have found no room either
         throw InputError(video.string() + ": ffmpeg could not make it: " + said.substr(said.rfind('\n') + 1));
     }
     std::error_code error;

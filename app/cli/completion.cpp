@@ -18,11 +18,14 @@ struct Values {
 Values values_of(const CLI::Option& option) {
     const std::string word = option.get_type_name();
     if (word.empty()) return {};
-    if (word == "KIND") return {Kind::Words, "auto osmesa egl"};
-    if (word == "FORMAT") return {Kind::Words, "text json latex"};
     if (word == "FOLDER") return {Kind::Folder, ""};
-    if (option.check_lname("tab")) return {Kind::Words, "derivation stack maps error"};
-    if (option.check_lname("samples")) return {Kind::Words, "1 2 4"};
+    // A test holds these against what an unknown word is answered with.
+    for (const auto& [name, words] : {std::pair{"context", "auto osmesa egl"},
+                                      {"ground", "scene white transparent"},
+                                      {"format", "text json latex"},
+                                      {"tab", "derivation stack maps error ray"},
+                                      {"samples", "1 2 4"}})
+        if (option.check_lname(name)) return {Kind::Words, words};
     return {word.find("OUT") != std::string::npos || word.ends_with(".png") ? Kind::File : Kind::Anything, ""};
 }
 
@@ -45,7 +48,12 @@ std::string command_names(const CommandLine& line) {
     return names.substr(1);
 }
 
-bool takes_scene(const CLI::App& app) { return app.get_option_no_throw("FILE") != nullptr; }
+// The shell command that lists the names which can stand in the place of a file; empty where none can.
+std::string names_for(const CLI::App& app) {
+    if (app.get_option_no_throw("FILE")) return "normalscope scenes 2>/dev/null; normalscope lessons 2>/dev/null";
+    if (app.get_option_no_throw("LESSON")) return "normalscope lessons 2>/dev/null";
+    return "";
+}
 
 // In single quotes, for fish.
 std::string in_quotes(std::string_view text) {
@@ -62,7 +70,11 @@ std::string in_quotes(std::string_view text) {
 std::string bash_completion() {
     const CommandLine line;
     std::string out =
-        "# bash completion for normalscope, made from its options\n_normalscope() {\n"
+        "# bash completion for normalscope, made from its options\n"
+        "_normalscope_files() {  # a line each: their names may have spaces\n"
+        "    local name\n    while IFS= read -r name; do COMPREPLY+=(\"$name\"); done < <(compgen \"$1\" -- "
+        "\"$word\")\n}\n"
+        "_normalscope() {\n"
         "    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command= i\n"
         "    for ((i = 1; i < COMP_CWORD; ++i)); do\n        case ${COMP_WORDS[i]} in\n            ";
     std::string patterns = command_names(line);
@@ -71,7 +83,7 @@ std::string bash_completion() {
     out += patterns +
            ") command=${COMP_WORDS[i]}; break ;;\n        esac\n    done\n    COMPREPLY=()\n"
            "    case $command/$before in\n";
-    std::string option_lists, scene_lists;
+    std::string option_lists, name_lists;
     const auto add = [&](const std::string& name, const CLI::App& app) {
         for (const CLI::Option* option : named_options(app)) {
             const Values values = values_of(*option);
@@ -80,30 +92,33 @@ std::string bash_completion() {
             for (const std::string& s : option->get_snames()) pattern += " | " + name + "/-" + s;
             out += "        " + pattern + ") ";
             if (values.kind == Kind::Words) out += "COMPREPLY=($(compgen -W \"" + values.words + "\" -- \"$word\")); ";
-            if (values.kind == Kind::File) out += "COMPREPLY=($(compgen -f -- \"$word\")); ";
-            if (values.kind == Kind::Folder) out += "COMPREPLY=($(compgen -d -- \"$word\")); ";
+            if (values.kind == Kind::File) out += "_normalscope_files -f; ";
+            if (values.kind == Kind::Folder) out += "_normalscope_files -d; ";
             out += "return ;;\n";
         }
-        option_lists += "        " + (name.empty() ? "''" : name) + ") options=\"" + long_names(app) + "\" ;;\n";
-        if (takes_scene(app)) scene_lists += (scene_lists.empty() ? "" : " | ") + (name.empty() ? "''" : name);
+        const std::string pattern = "        " + (name.empty() ? "''" : name) + ") ";
+        option_lists += pattern + "options=\"" + long_names(app) + "\" ;;\n";
+        if (const std::string names = names_for(app); !names.empty())
+            name_lists += pattern + "names=$({ " + names + "; } | cut -d' ' -f1) ;;\n";
     };
     add("", *line.view.app);
     for (const Declared& command : line.commands) add(command.app->get_name(), *command.app);
     return out + "    esac\n    local options names=\n    case $command in\n" + option_lists +
            "    esac\n    if [[ $word == -* ]]; then\n        COMPREPLY=($(compgen -W \"$options\" -- \"$word\"))\n    "
            "    return\n"
-           "    fi\n    case $command in\n        " +
-           scene_lists +
-           ") names=$(normalscope scenes 2>/dev/null | cut -d' ' -f1) ;;\n    esac\n"
+           "    fi\n    case $command in\n" +
+           name_lists +
+           "    esac\n"
            "    [[ -n $command ]] || names+=\" " +
            command_names(line) +
-           "\"\n    COMPREPLY=($(compgen -W \"$names\" -- \"$word\") $(compgen -f -- \"$word\"))\n}\n"
+           "\"\n    COMPREPLY=($(compgen -W \"$names\" -- \"$word\"))\n    _normalscope_files -f\n}\n"
            "complete -o filenames -F _normalscope normalscope\n";
 }
 
-// zsh runs bash's function.
+// zsh runs bash's function, which takes the place of this file's text when that is run for the first time.
 std::string zsh_completion() {
-    return "#compdef normalscope\nautoload -Uz bashcompinit && bashcompinit\n" + bash_completion();
+    return "#compdef normalscope\nautoload -Uz bashcompinit && bashcompinit\n" + bash_completion() +
+           "_bash_complete -o filenames -F _normalscope\n";
 }
 
 std::string fish_completion() {
@@ -111,7 +126,8 @@ std::string fish_completion() {
     std::string out = "# fish completion for normalscope, made from its options\n";
     const auto add = [&](const std::string& condition, const CLI::App& app) {
         const std::string begin = "complete -c normalscope -n " + in_quotes(condition);
-        if (takes_scene(app)) out += begin + " -a \"(normalscope scenes 2>/dev/null | string split -f1 ' ')\"\n";
+        if (const std::string names = names_for(app); !names.empty())
+            out += begin + " -a \"(begin; " + names + "; end | string split -f1 ' ')\"\n";
         for (const CLI::Option* option : named_options(app)) {
             const Values values = values_of(*option);
             out += begin + " -l " + option->get_lnames().front();

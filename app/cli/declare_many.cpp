@@ -72,7 +72,8 @@ Declared declare_compare(CLI::App& root) {
     given->tolerance.add_to(app);
     app.add_flag("--json", given->command.json, "Print all that was measured as JSON, in place of the line");
     CLI::Option& diff = add(app, "--diff", given->diff, "OUT.png",
-                            "Write a picture of both and of where they differ, side by side; - is standard output");
+                            "Write a picture of both and of where they differ, side by side: red beyond the tolerance, "
+                            "yellow within it, a frame about the worst spot; - is standard output");
     return {&app, [given, &diff] {
                 CompareCommand command = given->command;
                 command.actual = given->actual;

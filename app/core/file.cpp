@@ -89,6 +89,11 @@ void write_file(const std::filesystem::path& file, std::string_view bytes) {
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
         return write_all(file, file, bytes);
 
+    // A link stays one: it is what it points to that is written anew.
+    if (std::filesystem::is_symlink(file, error)) {
+        const std::filesystem::path target = std::filesystem::weakly_canonical(file, error);
+        if (!error && target != file) return write_file(target, bytes);
+    }
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
     if (!std::filesystem::is_directory(folder, error))
         throw InputError(file.string() + ": cannot be written: there is no folder " + folder.string());

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """check: a manifest of scenes against references and numbers, with its reports; --update; and manifests that are none."""
 
+import base64
 import json
 import re
 import unittest
 import xml.etree.ElementTree
+import zlib
 
 from support import CommandTest, png_size, run
 
@@ -63,6 +65,12 @@ class CheckTest(CommandTest):
         data = json.loads(re.search(r'<script id="data" type="application/json">(.*?)</script>', html, re.S)[1])
         self.assertEqual([c["state"] for c in data["checks"]], ["pass", "fail", "error"])
         self.assertEqual(sorted(data["checks"][1]["pictures"]), ["actual", "difference", "expected"])
+
+    def test_a_link_as_a_scene(self):
+        packed = zlib.compress(b'{"stack": [{"scale": [1, 2, 1]}]}')
+        link = "normalscope:1." + base64.urlsafe_b64encode(zlib.crc32(packed).to_bytes(4, "big") + packed).decode().rstrip("=")
+        self.manifest({"name": "link", "scene": link, "ground": "white", "scale": 2, "numbers": {"determinant": 2}})
+        self.assertEqual(self.check(), (0, ["pass: link: the numbers are as expected", "1 of 1 checks pass"]))
 
     def test_manifests_that_are_none(self):
         good = {"scene": "split", "reference": "r.png"}

@@ -2,6 +2,7 @@
 """compare: exit code 0 or 1 with one line of result, and the picture of the difference."""
 
 import json
+import pathlib
 import unittest
 
 from support import SMALL, CommandTest, chunk, png, png_size, run
@@ -37,6 +38,11 @@ class CompareTest(CommandTest):
         actual, expected = grey(0, 0, 0, 99), grey(0, 0, 0, 0)
         self.assertTrue(self.agree(actual, expected, "--share", "0.25"))
         self.assertFalse(self.agree(actual, expected, "--share", "0.249"))
+        # However near the limit, it reads as beyond it.
+        self.assertIn("a share of 0.25, 0.249999 allowed", self.compare(actual, expected, "--share", "0.249999")[1])
+        three, limit = [0] * 300, str(100 / 300 - 1e-7)
+        self.assertIn(f"a share of 0.3333333, {100 / 300 - 1e-7:.9g} allowed",
+                      self.compare(grey(*[99] * 100, *three[100:]), grey(*three), "--share", limit)[1])
 
     def test_what_it_says(self):
         _, line = self.compare(grey(0, 0, 9, 99), grey(0, 0, 0, 0))
@@ -119,6 +125,9 @@ class CompareTest(CommandTest):
         self.assertEqual((self.folder / "out.expected.png").read_bytes(), reference.read_bytes())
         self.assertEqual(png_size((self.folder / "out.difference.png").read_bytes()), (3 * 160 + 16, 120))
         self.assert_done(*step, "split", "--set", "theme=dark", "--tolerance", "255")
+        self.assertEqual(sorted(self.folder.glob("out.*")), [out])  # nothing tells any longer of a failure
+        self.assertEqual(run(*step[:2], "/dev/null", *step[3:], "shear").returncode, 1)
+        self.assertEqual(list(pathlib.Path("/dev").glob("null.*")), [])
         self.assert_fails(3, *step[:-1], self.folder / "none.png", says=("none.png", f"look at {out} and copy it there"))
         self.assert_fails(2, *step[:2], "-", *step[3:], says="--expect")
         self.assert_fails(2, *step[:-2], "--tolerance", "3", says="--expect")

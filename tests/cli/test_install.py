@@ -3,6 +3,7 @@
 
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import unittest
@@ -45,6 +46,22 @@ class InstallTest(CommandTest):
             self.assertEqual(page.stderr, "")
             self.assertIn("EXIT STATUS", page.stdout)
         subprocess.run(["bash", "-n", share / "bash-completion/completions/normalscope"], check=True)
+
+    def test_completion_offers_the_words_that_are_taken(self):
+        def offered(*words):
+            script = (f"source {self.prefix}/share/bash-completion/completions/normalscope; COMP_WORDS=(\"$@\"); COMP_CWORD=$(($# - 1)); "
+                      "_normalscope; printf '%s\\n' \"${COMPREPLY[@]}\"")
+            done = subprocess.run(["bash", "-c", script, "bash", "normalscope", *words], capture_output=True, text=True, check=True,
+                                  cwd=self.folder, env={**os.environ, "PATH": f"{self.prefix}/bin:{os.environ['PATH']}"})
+            return done.stdout.split()
+        for command, option in (("capture", "context"), ("capture", "ground"), ("capture", "tab"), ("capture", "samples"), ("explain", "format")):
+            arguments = ["-o", "x.png"] if command == "capture" else []
+            says = run(command, *arguments, f"--{option}", "wrong").stderr.decode().rsplit(": ", 1)[1]
+            self.assertEqual(sorted(offered(command, f"--{option}", "")), sorted(set(re.findall(r"\w+", says)) - {"expected", "or"}), option)
+        self.assertEqual(offered("handout", "2"), ["2-gradients"])
+        self.assertEqual(offered("capture", "shea"), ["shear"])
+        self.file("a file.json", "{}")
+        self.assertEqual(" ".join(offered("capture", "a ")), "a file.json")
 
     def test_a_project_with_one_line_a_test(self):
         project, build = self.folder / "project", self.folder / "build"

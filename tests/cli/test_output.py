@@ -3,10 +3,11 @@
 
 import json
 import resource
+import shutil
 import signal
 import unittest
 
-from support import SMALL, CommandTest, colours, png_size
+from support import SMALL, CommandTest, colours, png_size, run
 
 
 def little_space():
@@ -76,6 +77,37 @@ class OutputTest(CommandTest):
         self.assert_fails(3, "capture", "-o", path, *SMALL, preexec_fn=little_space, says=(path, "cannot be written"))
         self.assertEqual(path.read_text(), "old")
         self.assertEqual(list(self.folder.iterdir()), [path])
+
+    def test_a_full_disk_leaves_nothing_half_done(self):
+        checks = self.folder.with_suffix(".json")
+        checks.write_text('{"normalscope_check": 1, "checks": [{"scene": "split", "size": "160x120", "numbers": {"rank": 2}}]}')
+        self.addCleanup(checks.unlink)
+        out = self.folder / "out"
+        results = ("--results", self.folder / "results")
+        for file, command in (("out", ("handout", "2-gradients", *SMALL, "-o", out)),
+                              ("out.svg", ("capture", "-o", f"{out}.svg")),
+                              ("out-0.png", ("sweep", "--vary", "camera.azimuth=0:9:3", *SMALL, "-o", f"{out}-%d.png")),
+                              ("out-", ("sweep", "--vary", "camera.azimuth=0:9:3", *SMALL, "-o", f"{out}-%d.png", "--jobs", "2")),
+                              ("out.gif", ("sweep", "--vary", "camera.azimuth=0:9:3", *SMALL, "-o", f"{out}.gif")),
+                              ("out.mp4", ("animate", "2-gradients", *SMALL, "-o", f"{out}.mp4"))):
+            if file.endswith(("gif", "mp4")) and not shutil.which("ffmpeg"):
+                continue
+            with self.subTest(command):
+                self.assert_fails(3, *command, preexec_fn=little_space, says=(self.folder / file, ": cannot be written"))
+                self.assertEqual(list(self.folder.iterdir()), [])
+        # What was found is said all the same.
+        for report in ((), ("--report", out)):
+            done = run("check", checks, *results, *report, preexec_fn=little_space)
+            self.assertIn(b"fail: split: rank is 3, expected 2 within 1e-09; ", done.stdout)
+            self.assertIn(b"cannot be written", done.stderr if report else done.stdout)
+            self.assertEqual(done.returncode, 3 if report else 1)
+
+    def test_a_link_stays_a_link(self):
+        real, link = self.file("real.png", "old"), self.folder / "link.png"
+        link.symlink_to("real.png")
+        self.assert_done("capture", "-o", link, *SMALL)
+        self.assertTrue(link.is_symlink())
+        self.assertEqual(png_size(real.read_bytes()), (160, 120))
 
     def test_a_result_that_cannot_be_printed(self):
         picture = self.file("picture.png", self.capture())
