@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <vector>
 
@@ -13,21 +14,26 @@ namespace normalscope {
 namespace {
 
 constexpr int kTrialRays = 16;    // along each axis, a side
+constexpr int kRayStride = 99;    // odd, so that all are visited
 constexpr int kTrialPoints = 7;   // a side
 constexpr double kBeside = 2e-3;  // of the bound: how far from a zero a ray passes that tells a sheet from a thread
 constexpr double kSamePoint = 1e-4;
+constexpr std::int64_t kMostEffort = 8'000'000;  // some tenths of a second
 
 // Whether any of a grid of rays meets it: a formula such as (x − 1)² touches zero without crossing it.
 bool rays_meet(const ImplicitSurface& surface) {
     const double bound = surface.source().bound;
-    for (glm::length_t axis = 0; axis < 3; ++axis)
-        for (int i = 0; i < kTrialRays * kTrialRays; ++i) {
+    formulas::Effort effort{kMostEffort};
+    constexpr int kRays = kTrialRays * kTrialRays;
+    // In steps through the grid, along all axes in turn: where the effort does not suffice for all they are spread.
+    for (int k = 0, i = 0; k < kRays; ++k, i = (i + kRayStride) % kRays)
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
             glm::dvec3 from(0.0), along(0.0);
             from[axis] = -2.0 * bound;
             along[axis] = 1.0;
             from[(axis + 1) % 3] = bound * (2.0 * (i % kTrialRays + 0.5) / kTrialRays - 1.0);
             from[(axis + 2) % 3] = bound * (2.0 * (i / kTrialRays + 0.5) / kTrialRays - 1.0);
-            if (surface.first_hit({{from}, {along}})) return true;
+            if (surface.first_hit({{from}, {along}}, &effort)) return true;
         }
     return false;
 }
@@ -56,7 +62,7 @@ Zeros zeros_of(const ImplicitSurface& surface) {
 }
 
 // A ray that passes a sheet's point at some distance meets the sheet; one that passes a thread's misses it.
-bool is_sheet(const ImplicitSurface& surface, const glm::dvec3& zero) {
+bool is_sheet(const ImplicitSurface& surface, const glm::dvec3& zero, formulas::Effort& effort) {
     const double bound = surface.source().bound;
     int met = 0;
     constexpr std::array kDirections{glm::dvec3(0.8, 0.36, 0.48), glm::dvec3(-0.48, 0.8, 0.36),
@@ -65,7 +71,8 @@ bool is_sheet(const ImplicitSurface& surface, const glm::dvec3& zero) {
         const glm::dvec3 d = kDirections[k],
                          aside = kBeside * bound * glm::normalize(glm::cross(d, kDirections[(k + 1) % 3]));
         const double near = 20.0 * kBeside * bound;
-        for (const formulas::Root& root : surface.hits({{zero + aside - 3.0 * bound * d}, {d}}, formulas::Wanted::All))
+        const Ray<Object> ray{{zero + aside - 3.0 * bound * d}, {d}};
+        for (const formulas::Root& root : surface.hits(ray, formulas::Wanted::All, &effort))
             if (std::abs(root.t - 3.0 * bound) < near) {
                 ++met;
                 break;
@@ -117,12 +124,16 @@ std::string note_on(const ImplicitSurface& surface, const Mesh& mesh) {
         "f touches 0 within " + within +
         " without changing its sign. Only rays find such a surface: it has no triangles, and no arrows.";
     const std::string none = "No zero of f was found within " + within + ", so nothing is drawn. Try a larger bound.";
+    if (const auto& p = surface.zero_throughout())
+        return "f is 0 throughout a part of " + within + ", as around " + point_text(*p, surface.source().bound) +
+               ", and changes its sign nowhere: a solid, and no surface. Nothing is drawn.";
     if (!surface.region()) return none;
     if (rays_meet(surface)) return touches;
     Zeros zeros = zeros_of(surface);
     if (zeros.places.empty()) return none;
+    formulas::Effort effort{kMostEffort};
     for (const glm::dvec3& zero : zeros.places)
-        if (is_sheet(surface, zero)) return touches;
+        if (is_sheet(surface, zero, effort)) return touches;
     look_around(surface, zeros);
     if (zeros.below == zeros.above)
         return "What f has of zeros, as at " + point_text(zeros.places.front(), surface.source().bound) +

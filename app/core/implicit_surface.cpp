@@ -15,7 +15,8 @@ namespace {
 
 constexpr int kRegionDepth = 4;  // 16 cells a side
 constexpr int kMostDegreeOnGpu = 60;
-constexpr int kMostSteps = 200;  // to a root: enough for one of multiplicity 8
+constexpr int kTrialPoints = 16;  // a side
+constexpr int kMostSteps = 200;   // to a root: enough for one of multiplicity 8
 
 // What is left of the cube when the parts without a zero are left out, halved so many times.
 void add_where_zero(const ImplicitSurface& surface, const formulas::Box& box, int depth, bool first, double ball,
@@ -44,6 +45,37 @@ void add_where_zero(const ImplicitSurface& surface, const formulas::Box& box, in
     }
 }
 
+// max(0, g) is 0 wherever g < 0, and so is what underflows.
+std::optional<glm::dvec3> solid_of_zeros(const ImplicitSurface& surface) {
+    const double bound = surface.source().bound;
+    std::vector<glm::dvec3> points;
+    for (int i = 0; i < kTrialPoints * kTrialPoints * kTrialPoints; ++i) {
+        const glm::dvec3 cell(i % kTrialPoints, i / kTrialPoints % kTrialPoints, i / kTrialPoints / kTrialPoints);
+        // Off the planes of symmetry, on which what is no solid may be 0 as well.
+        const glm::dvec3 p = bound * (2.0 / kTrialPoints * (cell + glm::dvec3(0.47, 0.53, 0.51)) - glm::dvec3(1.0));
+        if (surface.inside_clip(p)) points.push_back(p);
+    }
+    std::vector<double> values(points.size());
+    formulas::values(surface.program(), points, values);
+    if (std::ranges::any_of(values, [](double f) { return f < 0.0; }) &&
+        std::ranges::any_of(values, [](double f) { return f > 0.0; }))
+        return std::nullopt;
+    const auto zero_around = [&](const glm::dvec3& p) {
+        for (glm::length_t k = 0; k < 6; ++k) {
+            glm::dvec3 q = p;
+            q[k / 2] += (k % 2 == 0 ? 1e-3 : -1e-3) * bound;
+            if (surface.at({q}).value != 0.0) return false;
+        }
+        return true;
+    };
+    std::optional<glm::dvec3> middlemost;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (values[i] == 0.0 && (!middlemost || glm::length(points[i]) < glm::length(*middlemost)) &&
+            zero_around(points[i]))
+            middlemost = points[i];
+    return middlemost;
+}
+
 }  // namespace
 
 ImplicitSurface::ImplicitSurface(const FormulaSurface& source)
@@ -59,6 +91,11 @@ ImplicitSurface::ImplicitSurface(const FormulaSurface& source)
     if (!zero_everywhere_)
         add_where_zero(*this, all, kRegionDepth, true, source.clip == Clip::Ball ? source.bound : 0.0, region_);
     if (!region_) return;
+    if (!degree_) zero_throughout_ = solid_of_zeros(*this);
+    if (zero_throughout_) {
+        region_.reset();
+        return;
+    }
     // Room for what rounds differently on the graphics processor.
     const glm::dvec3 slack(1e-4 * source.bound);
     region_ = formulas::Box{glm::max(region_->low - slack, all.low), glm::min(region_->high + slack, all.high)};
@@ -95,14 +132,15 @@ std::optional<std::array<double, 2>> ImplicitSurface::clipped(const Ray<Object>&
     return std::array{from, to};
 }
 
-std::vector<formulas::Root> ImplicitSurface::hits(const Ray<Object>& ray, formulas::Wanted wanted) const {
+std::vector<formulas::Root> ImplicitSurface::hits(const Ray<Object>& ray, formulas::Wanted wanted,
+                                                  formulas::Effort* effort) const {
     const auto part = clipped(ray);
     if (!part) return {};
-    return tracer_->hits(ray.origin.xyz, ray.direction.xyz, (*part)[0], (*part)[1], wanted);
+    return tracer_->hits(ray.origin.xyz, ray.direction.xyz, (*part)[0], (*part)[1], wanted, effort);
 }
 
-std::optional<double> ImplicitSurface::first_hit(const Ray<Object>& ray) const {
-    const std::vector<formulas::Root> found = hits(ray, formulas::Wanted::First);
+std::optional<double> ImplicitSurface::first_hit(const Ray<Object>& ray, formulas::Effort* effort) const {
+    const std::vector<formulas::Root> found = hits(ray, formulas::Wanted::First, effort);
     return found.empty() ? std::nullopt : std::optional(found.front().t);
 }
 

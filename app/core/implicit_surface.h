@@ -33,17 +33,20 @@ public:
     std::optional<int> degree() const { return degree_; }
     /// f is 0 wherever it has a value: not a surface.
     bool zero_everywhere() const { return zero_everywhere_; }
+    /// A point around which f is 0 throughout, where it changes its sign nowhere: a solid in place of a surface.
+    const std::optional<glm::dvec3>& zero_throughout() const { return zero_throughout_; }
 
-    /// Where in the ball or cube f = 0 may lie, and somewhat more. Empty where f has no zero there at all.
+    /// Where in the ball or cube f = 0 may lie, and somewhat more. Empty where f has no zero there at all, or no surface.
     const std::optional<formulas::Box>& region() const { return region_; }
     bool inside_clip(const glm::dvec3& p) const;
 
     formulas::Sample at(Point<Object> p) const { return formulas::sample(program_, p.xyz); }
 
     /// The first point of the surface that the ray meets: t in lengths of its direction.
-    std::optional<double> first_hit(const Ray<Object>& ray) const;
+    std::optional<double> first_hit(const Ray<Object>& ray, formulas::Effort* effort = nullptr) const;
     /// All of them within the clip, in order.
-    std::vector<formulas::Root> hits(const Ray<Object>& ray, formulas::Wanted wanted) const;
+    std::vector<formulas::Root> hits(const Ray<Object>& ray, formulas::Wanted wanted,
+                                     formulas::Effort* effort = nullptr) const;
     /// The part of the ray within the clip; empty where it misses.
     std::optional<std::array<double, 2>> clipped(const Ray<Object>& ray) const;
 
@@ -58,6 +61,7 @@ private:
     formulas::Program program_;
     std::optional<formulas::RayTracer> tracer_;
     bool zero_everywhere_ = false;
+    std::optional<glm::dvec3> zero_throughout_;
     std::optional<formulas::Box> region_;
 };
 

@@ -3,6 +3,7 @@
 #include "core/formula/evaluate.h"
 #include "core/formula/polynomial.h"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -15,6 +16,11 @@ struct Root {
 };
 
 enum class Wanted { First, All };
+
+/// What many rays together may cost, in instructions of the program; a ray that comes when all is spent meets nothing.
+struct Effort {
+    std::int64_t left;
+};
 
 /// Roots of polynomials of one degree on [−1, 1], in order. Bernstein coefficients bound a polynomial and, by
 /// Descartes' rule, count its roots; de Casteljau's algorithm halves the interval until each part has none or one.
@@ -42,8 +48,9 @@ public:
     /// The program has values for its parameters (compile).
     explicit RayTracer(Program program);
 
-    /// The hits with from ≤ t ≤ to, in order.
-    std::vector<Root> hits(glm::dvec3 o, glm::dvec3 d, double from, double to, Wanted wanted) const;
+    /// The hits with from ≤ t ≤ to, in order. Only the search by intervals spends effort.
+    std::vector<Root> hits(glm::dvec3 o, glm::dvec3 d, double from, double to, Wanted wanted,
+                           Effort* effort = nullptr) const;
 
     bool is_polynomial() const { return finder_.has_value(); }
 
@@ -54,7 +61,7 @@ private:
 
 /// The general way, for any program.
 std::vector<Root> roots_by_intervals(const Program& program, glm::dvec3 o, glm::dvec3 d, double from, double to,
-                                     Wanted wanted);
+                                     Wanted wanted, Effort* effort = nullptr);
 
 /// A root of f between a and b, where its signs differ, to the last digits. Newton's steps where they stay between,
 /// halving where they do not. `f` returns the value and the derivative.

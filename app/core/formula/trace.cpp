@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kNarrowest = 1e-9;  // of the whole interval: a double root is not known any better
 constexpr double kSame = 3e-7;       // of the whole interval: around a multiple root noise shows zeros this far apart
-constexpr int kMostParts = 20'000;   // for a formula that oscillates without end
+constexpr std::int64_t kMostParts = 20'000;            // for a formula that oscillates without end
+constexpr std::int64_t kMostInstructions = 4'000'000;  // for one that is long as well
 
 struct Part {
     double low, high;
@@ -27,8 +28,11 @@ public:
         derivatives_.resize(program.size());
     }
 
-    std::vector<Root> run() {
-        for (int i = 0; i < kMostParts && !parts_.empty() && !done(); ++i) {
+    std::vector<Root> run(Effort* effort) {
+        const auto length = static_cast<std::int64_t>(program_.size());
+        const std::int64_t most = std::min(kMostParts, kMostInstructions / std::max<std::int64_t>(length, 1));
+        for (std::int64_t i = 0; i < most && !parts_.empty() && !done(); ++i) {
+            if (effort && (effort->left -= length) < 0) return {};
             const Part part = parts_.back();
             parts_.pop_back();
             visit(part);
@@ -160,15 +164,16 @@ private:
 }  // namespace
 
 std::vector<Root> roots_by_intervals(const Program& program, glm::dvec3 o, glm::dvec3 d, double from, double to,
-                                     Wanted wanted) {
-    return IntervalSearch(program, o, d, from, to, wanted).run();
+                                     Wanted wanted, Effort* effort) {
+    return IntervalSearch(program, o, d, from, to, wanted).run(effort);
 }
 
 RayTracer::RayTracer(Program program) : program_(std::move(program)) {
     if (const auto degree = polynomial_degree(program_, kMostDegree)) finder_.emplace(*degree);
 }
 
-std::vector<Root> RayTracer::hits(glm::dvec3 o, glm::dvec3 d, double from, double to, Wanted wanted) const {
+std::vector<Root> RayTracer::hits(glm::dvec3 o, glm::dvec3 d, double from, double to, Wanted wanted,
+                                  Effort* effort) const {
     if (!(from < to)) return {};
     const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
     if (finder_) {
@@ -178,7 +183,7 @@ std::vector<Root> RayTracer::hits(glm::dvec3 o, glm::dvec3 d, double from, doubl
             return roots;
         }
     }
-    return roots_by_intervals(program_, o, d, from, to, wanted);
+    return roots_by_intervals(program_, o, d, from, to, wanted, effort);
 }
 
 }  // namespace normalscope::formulas
