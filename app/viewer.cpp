@@ -317,13 +317,15 @@ void Viewer::on_key(int key, int modifiers) {
 Frame Viewer::frame_now(bool handles) {
     const auto make = [&] {
         const std::shared_ptr<const Surface> surface = surfaces_->get(scene_);
+        const bool typing = gui_.interface.typing_formula();
         Frame frame = make_frame(shown_scene(), surface,
                                  {.rect = gui_.interface.picture(window_.framebuffer_size()),
                                   .pixel_scale = scale(),
                                   .hot_axis = pointer_.hot_axis(),
                                   .highlight = gui_.interface.highlighted(),
                                   .handles = handles,
-                                  .draft = handles && (pointer_.busy() || gui_.moving()),
+                                  .draft = handles && (pointer_.busy() || gui_.moving() || typing),
+                                  .sketch = handles && typing,
                                   .level_sets = level_sets_.get(scene_, surface->implicit)});
         gui_.interface.add_to(frame, scene_, scale());
         return frame;

@@ -213,6 +213,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     Frame frame;
     frame.rect = options.rect;
     frame.draft = options.draft;
+    frame.sketch = options.sketch;
     frame.theme = scene.theme;
     frame.surface = std::move(surface);
     frame.toward_light = toward(scene.light).xyz;

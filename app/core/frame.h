@@ -116,7 +116,8 @@ struct Frame {
     glm::mat3 shadow_from_ground{0.0f};     ///< (x, z, 1) to a disc that is 1 where the object's shadow ends
     std::vector<LegendEntry> legend;
     bool error_legend = false;
-    bool draft = false;  ///< formulas' surfaces at half the resolution
+    bool draft = false;   ///< formulas' surfaces at half the resolution
+    bool sketch = false;  ///< and as their mesh where they are new: the driver takes long to compile their program
     std::optional<ProbeInWorld> probe;
     std::optional<SingularPoint> singular;  ///< where the probe stands on one
     std::optional<RaySteps> ray;            ///< the scene's
@@ -129,6 +130,7 @@ struct FrameOptions {
     std::optional<Highlight> highlight{};  ///< what is pointed at in the equations
     bool handles = true;                   ///< knobs on the axes, to be dragged
     bool draft = false;                    ///< quick rather than fine, while something is being dragged
+    bool sketch = false;                   ///< quicker still, while a formula is being typed
     /// The scene's (LevelSetsCache); null: they are made anew.
     std::shared_ptr<const LevelSets> level_sets{};
 };

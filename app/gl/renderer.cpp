@@ -183,7 +183,8 @@ void Renderer::Resources::draw_backdrop(const Frame& frame, const Pane& pane, co
 }
 
 void Renderer::Resources::draw_surface(const Frame& frame, const Pane& pane, const SurfaceDraw& draw) {
-    if (draw.traced_object_from_world) return draw_traced(frame, pane, draw);
+    const bool as_mesh = frame.sketch && !(tracer && tracer->ready(*frame.surface->implicit));
+    if (draw.traced_object_from_world && !as_mesh) return draw_traced(frame, pane, draw);
     const SceneProgram* program = &scene_program;
     if (draw.by_error && frame.error_maps) {
         if (!error_map_program) error_map_program.emplace();

@@ -77,9 +77,13 @@ Tracer::Layer::Layer(glm::ivec2 size, GLenum format) {
 
 glm::vec2 Tracer::tile() const { return 2.0f * static_cast<float>(kTile) / glm::vec2(size_); }
 
-void Tracer::hold(const ImplicitSurface& surface) {
+bool Tracer::ready(const ImplicitSurface& surface) const {
     // All else that the program is made of follows from the formula.
-    if (program_ && formula_ == surface.glsl().source) return;
+    return program_ && formula_ == surface.glsl().source;
+}
+
+void Tracer::hold(const ImplicitSurface& surface) {
+    if (ready(surface)) return;
     program_.emplace(generated(surface));
     formula_ = surface.glsl().source;
 }

@@ -25,6 +25,9 @@ public:
     void trace(const ImplicitSurface& surface, const CameraView& view, glm::ivec2 size,
                const glm::dmat4& object_from_world, std::span<const glm::vec2> shifts);
 
+    /// Whether the program for this surface's formula is there, which takes a software driver a fifth of a second to make.
+    bool ready(const ImplicitSurface& surface) const;
+
     /// What the last trace found: for the centres, and for each sample in the tiles that hold an edge.
     const GlTexture& centres() const { return layers_[0].texture; }
     const GlTexture& samples(std::size_t k) const { return layers_[1 + k].texture; }

@@ -17,7 +17,8 @@ namespace normalscope {
 
 namespace {
 
-constexpr double kPause = 1.0;  // seconds without a key: what has been typed is one step to undo
+constexpr double kBetweenLetters = 0.15;  // seconds
+constexpr double kPause = 1.0;            // seconds without a key: what has been typed is one step to undo
 constexpr double kDefaultReach = 2.0;
 
 std::size_t letter_index(char letter) { return formulas::kParameterNames.find(letter); }
@@ -60,8 +61,10 @@ void FormulaDraft::typed(FormulaSurface& scene) {
 
 double FormulaMemory::redraw_after() const {
     if (!typed_at) return std::numeric_limits<double>::infinity();
-    return std::max(0.0, *typed_at + kPause - ImGui::GetTime());
+    return std::max(0.0, *typed_at + (typing() ? kBetweenLetters : kPause) - ImGui::GetTime());
 }
+
+bool FormulaMemory::typing() const { return typed_at && ImGui::GetTime() - *typed_at < kBetweenLetters; }
 
 namespace {
 

@@ -47,8 +47,10 @@ struct FormulaMemory {
 
     std::optional<WrittenFormula> written;
 
-    /// Seconds until the typed formula becomes a step to undo; infinite if there is none.
+    /// Seconds until something comes of what has been typed: its fine picture, and a step to undo; infinite if nothing has.
     double redraw_after() const;
+    /// The next letter is likely to come at once.
+    bool typing() const;
 };
 
 /// The field, what is wrong with its text, the sliders of the parameters, the bound, and the derivatives.

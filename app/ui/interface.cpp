@@ -254,6 +254,7 @@ bool Interface::show_tab(std::string_view id) {
     return true;
 }
 std::span<const std::string_view> Interface::tabs() { return kTabIds; }
+bool Interface::typing_formula() const { return state_->panel.formula.typing(); }
 bool Interface::playing() const { return state_->stack.player.playing || state_->lecture.moving(); }
 
 void Interface::open_lesson(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::optional<std::size_t> step) {

@@ -82,6 +82,7 @@ public:
     /// While the stack or a lesson is being played the scene changes by itself: what it goes through is nothing to be
     /// undone.
     bool playing() const;
+    bool typing_formula() const;
 
     /// The formula's field gets the keyboard; another surface gives way to a formula.
     void edit_formula(Scene& scene);
