@@ -64,6 +64,8 @@ private:
         }
     }
     Frame frame_now(bool handles);
+    /// The surface with its arrows; empty where there is none.
+    std::optional<WorldBall> surface_ball() const;
     void obey(const Requests& requests);
     void begin_opening(const std::string& file);
     void finish_opening();
@@ -305,13 +307,17 @@ void Viewer::on_key(int key, int modifiers) {
         case GLFW_KEY_TAB:
         case GLFW_KEY_H: gui_.interface.toggle_panel(); break;
         case GLFW_KEY_F:
-            if (frame_) {
-                const WorldBall ball = bounding_ball(frame_->surface->mesh, world_from_object(scene_));
-                camera = framed(camera, ball.centre, ball.radius + 2.0 * scene_.arrows.length);
-            }
+            if (const auto ball = surface_ball()) camera = framed(camera, ball->centre, ball->radius);
             break;
         default: break;
     }
+}
+
+std::optional<WorldBall> Viewer::surface_ball() const {
+    if (!frame_ || frame_->surface->mesh.positions.empty()) return std::nullopt;
+    WorldBall ball = bounding_ball(frame_->surface->mesh, world_from_object(scene_));
+    ball.radius += 2.0 * scene_.arrows.length;
+    return ball;
 }
 
 Frame Viewer::frame_now(bool handles) {
@@ -396,6 +402,8 @@ bool Viewer::redraw() {
 }
 
 void Viewer::obey(const Requests& requests) {
+    if (requests.make_room)
+        if (const auto ball = surface_ball()) scene_.camera = with_room_for(scene_.camera, ball->centre, ball->radius);
     if (requests.step) history_.commit(scene_);
     if (requests.undo || requests.redo) {
         history_.commit(scene_);

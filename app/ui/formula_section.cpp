@@ -20,6 +20,7 @@ namespace {
 constexpr double kBetweenLetters = 0.15;  // seconds
 constexpr double kPause = 1.0;            // seconds without a key: what has been typed is one step to undo
 constexpr double kDefaultReach = 2.0;
+constexpr int kSettled = 3;  // frames until the panel stands as the scene calls for
 
 std::size_t letter_index(char letter) { return formulas::kParameterNames.find(letter); }
 
@@ -111,6 +112,12 @@ void field(Scene& scene, FormulaSurface& surface, FormulaMemory& memory, const P
         ImGui::PopStyleColor();
     }
     const bool active = ImGui::IsItemActive();
+    // What stands above it comes and goes with the surface: it must not push out of sight what is being typed.
+    if (changed) memory.frames_in_sight = kSettled;
+    if (memory.frames_in_sight > 0) {
+        --memory.frames_in_sight;
+        if (low.y < ImGui::GetWindowPos().y) ImGui::SetScrollHereY(0.15f);
+    }
     if (!active)
         tip(look,
             "f(x, y, z) = 0, where f < 0 is the inside.\n+ − * / ^, brackets, 2x, x^2 or x², lhs = rhs, pi, e, sqrt "
@@ -156,8 +163,9 @@ void range_editor(const Look& look, const char* letter, Range& range) {
 
 void parameter(const Look& look, char letter, double& value, std::optional<Range>& range) {
     if (!range) range = Range{-kDefaultReach, kDefaultReach};
-    range->low = std::min(range->low, value);
-    range->high = std::max(range->high, value);
+    // With room to go on beyond it.
+    if (value < range->low) range->low = value - std::abs(value);
+    if (value > range->high) range->high = value + std::abs(value);
     const std::string name(1, letter);
     ImGui::PushID(letter);
     const float range_width = look.px(96), gap = look.px(6);
@@ -209,7 +217,9 @@ void formula_section(Scene& scene, FormulaMemory& memory, const PanelContext& co
                     context.frame.probe ? 1 : 4);
     for (const char letter : memory.written->parameters)
         parameter(look, letter, surface->parameters[letter_index(letter)], memory.ranges[letter_index(letter)]);
+    const double bound = surface->bound;
     bound_and_clip(look, *surface);
+    if (surface->bound != bound) context.requests.make_room = true;
     memory.last = *surface;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace normalscope {
@@ -16,6 +17,16 @@ struct GalleryMemory {
     std::optional<std::size_t> told;   ///< which of them the pointer or the keyboard was on
     bool open = false;
     bool only_surface = false;  ///< a choice changes the surface and nothing else
+
+    void toggle();
+    /// Where it is to stand in the panel, below the upper edge, until the scene that was chosen is there: what is above it
+    /// changes with the scene, and the tiles should not move from under the pointer.
+    struct Place {
+        float at = 0.0f;
+        std::string awaited;  ///< may be empty
+        int frames = 3;       ///< until the panel has settled, then
+    };
+    std::optional<Place> place;
 };
 
 void gallery(Scene& scene, GalleryMemory& memory, const PanelContext& context);

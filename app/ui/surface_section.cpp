@@ -36,14 +36,16 @@ void shape_picker(Scene& scene, PanelMemory& memory, const PanelContext& context
     if (begin_combo(look, "##shape", current, width)) {
         for (std::size_t i = 0; i < kShapes.size(); ++i) {
             const bool chosen = shape && shape->shape == static_cast<Shape>(i);
-            if (ImGui::Selectable(kShapes[i], chosen))
+            if (ImGui::Selectable(kShapes[i], chosen)) {
                 scene.surface =
                     ShapeSurface{static_cast<Shape>(i), shape ? shape->resolution : ShapeSurface{}.resolution};
+                context.requests.make_room = true;
+            }
             if (chosen) ImGui::SetItemDefaultFocus();
         }
         if (ImGui::Selectable("Formula…", formula) && !formula) {
             scene.surface = memory.formula.last;
-            memory.formula.focus = true;
+            memory.formula.focus = context.requests.make_room = true;
         }
         ImGui::EndCombo();
     } else {
@@ -53,8 +55,9 @@ void shape_picker(Scene& scene, PanelMemory& memory, const PanelContext& context
     }
     ImGui::SameLine(0, gap);
     ImGui::PushStyleColor(ImGuiCol_Button, memory.gallery.open ? look.line : look.field);
-    if (ImGui::Button("Gallery", {gallery_width, 0})) memory.gallery.open = !memory.gallery.open;
+    const bool toggled = ImGui::Button("Gallery", {gallery_width, 0});
     ImGui::PopStyleColor();
+    if (toggled) memory.gallery.toggle();
     tip(look, "Surfaces by formula, with their pictures.");
     ImGui::SameLine(0, gap);
     if (ImGui::Button("Mesh file…", {open_width, 0})) context.dialog.open(FileDialog::For::OpenMesh);
