@@ -4,6 +4,7 @@
 #include "core/axis_handles.h"
 #include "core/error.h"
 #include "core/explanation.h"
+#include "core/file.h"
 #include "core/frame.h"
 #include "core/history.h"
 #include "core/link.h"
@@ -11,6 +12,7 @@
 #include "core/png.h"
 #include "core/scene_file.h"
 #include "core/scene_json.h"
+#include "core/svg.h"
 #include "gl/renderer.h"
 #include "gl/target.h"
 #include "gui.h"
@@ -491,6 +493,13 @@ void Viewer::copy_command() {
 
 void Viewer::save_picture(const std::filesystem::path& file) {
     const glm::ivec2 size = window_.framebuffer_size();
+    if (file.extension() == ".svg") {
+        const PixelRect rect{{0, 0}, gui_.interface.picture(size).size};
+        const Frame vectors =
+            make_frame(shown_scene(), surfaces_->get(scene_), {.rect = rect, .pixel_scale = scale(), .handles = false});
+        write_file(file, svg_text(shown_scene(), vectors, scale(), Ground::Scene));
+        return gui_.interface.show_note("Saved " + file.string());
+    }
     const Frame frame = frame_now(false);
     gui_.layout(size, shown_scene().theme, scale(), [&] { gui_.interface.draw_words(frame); });
     drawn_.reset();

@@ -29,13 +29,13 @@ constexpr std::array<Purpose, 4> kPurposes{{
     {"Open a scene or a mesh", "Open", "scenes and meshes (.json .obj .ply .stl)", "", ""},
     {"Open a mesh", "Open", "meshes (.obj .ply .stl)", "", ""},
     {"Save the scene", "Save", "scenes (.json)", ".json", "scene.json"},
-    {"Save the picture", "Save", "pictures (.png)", ".png", "normalscope.png"},
+    {"Save the picture", "Save", "pictures (.png, or .svg: its vector parts)", ".png", "normalscope.png"},
 }};
 const Purpose& about(For purpose) { return kPurposes[static_cast<std::size_t>(purpose)]; }
 
 std::span<const std::string_view> endings(For purpose) {
     static constexpr std::array<std::string_view, 4> kAny{".json", ".obj", ".ply", ".stl"};
-    static constexpr std::array<std::string_view, 1> kPicture{".png"};
+    static constexpr std::array<std::string_view, 2> kPicture{".png", ".svg"};
     switch (purpose) {
         case For::OpenAny: return kAny;
         case For::OpenMesh: return std::span(kAny).subspan(1);
