@@ -1,5 +1,7 @@
 #include "ui/file_dialog.h"
 
+#include "core/error.h"
+#include "core/lesson.h"
 #include "ui/widgets.h"
 
 #include <misc/cpp/imgui_stdlib.h>
@@ -45,6 +47,16 @@ std::span<const std::string_view> endings(For purpose) {
     return {};
 }
 
+// Not a lesson's: its steps would be lost.
+bool is_scene_file(const fs::path& file) {
+    std::error_code error;
+    try {
+        return file.extension() == ".json" && fs::is_regular_file(file, error) && !is_lesson(file.string());
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
 }  // namespace
 
 void FileDialog::open(For purpose) {
@@ -55,6 +67,8 @@ void FileDialog::open(For purpose) {
     to_overwrite_.clear();
     std::error_code error;
     enter(folder_.path.empty() ? fs::current_path(error) : folder_.path);
+    if (purpose == For::SaveScene && is_scene_file(scene_file_))
+        name_ = shown(fs::proximate(scene_file_, folder_.path, error));
 }
 
 void FileDialog::enter(const fs::path& folder) {
@@ -182,7 +196,7 @@ void FileDialog::draw(const Look& look, ExtraLetters& letters, Requests& request
     if (std::exchange(focus_name_, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1);
     if (ImGui::InputTextWithHint("##name", saves() ? "name, or a path" : "type a name or a path", &name_,
-                                 ImGuiInputTextFlags_EnterReturnsTrue)) {
+                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll)) {
         focus_name_ = true;
         choose(requests);
     }

@@ -16,6 +16,8 @@ public:
 
     /// Shows it from the next frame on. What was typed is kept from the last time, and so is the folder.
     void open(For purpose);
+    /// The open scene's file, or a name: where it is a scene's file, it is what saving the scene proposes.
+    void set_scene_file(const std::string& file) { scene_file_ = file; }
     bool is_open() const { return open_; }
 
     void draw(const Look& look, ExtraLetters& letters, Requests& requests);
@@ -33,6 +35,7 @@ private:
     bool focus_name_ = false;
     bool listed_anew_ = false;  ///< some letters of its names may be missing
     Folder folder_;
+    std::string scene_file_;
     std::string name_;  ///< typed: a name in the folder, or a path
     std::string complaint_;
     std::filesystem::path to_overwrite_;  ///< asked about; empty if not

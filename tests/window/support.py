@@ -197,8 +197,9 @@ class Window:
         self.do("windowsize", self.id, *size)
 
     def save(self, key, name):
-        """Saves by the key that asks for a name, under the one that it proposes, and returns what has been saved."""
+        """Saves by the key that asks for a name, and returns what has been saved."""
         self.key(key)
+        self.type(name)
         self.key("Return")
         file = self.folder / name
         until(lambda: self.check() or file.exists(), name)

@@ -91,6 +91,23 @@ class FilesTest(WindowTest):
         window.wait_for_title("o.json")
         self.assertEqual(json.loads((self.folder / "o.json").read_text())["normalscope"], 1)
 
+    def test_saving_goes_back_to_the_file(self):
+        (self.folder / "deep").mkdir()
+        self.file("deep/s.json", '{"normalscope": 1, "rule": "naive"}')
+        window = self.window("deep/s.json", *LIGHT)
+        window.key("c", "ctrl+s")
+        window.key("Return")
+        window.key("Return")  # yes, overwrite it
+        until(lambda: json.loads((self.folder / "deep/s.json").read_text())["rule"] == "cofactor", "the scene")
+        # A lesson would lose its steps.
+        lesson = '{"normalscope": 1, "lesson": "L", "about": "l", "steps": [{"caption": "A sphere.", "scene": {"stack": []}}]}'
+        self.file("lesson.json", lesson)
+        window = self.window("lesson.json", *LIGHT)
+        window.key("ctrl+s")
+        window.key("Return")
+        until((self.folder / "scene.json").exists, "the scene")
+        self.assertEqual((self.folder / "lesson.json").read_text(), lesson)
+
     def test_a_folder_that_does_not_exist(self):
         window = self.window(*LIGHT)
         window.key("ctrl+s")
