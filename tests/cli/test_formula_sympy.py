@@ -42,12 +42,12 @@ def main():
     for formula in formulas:
         f = sympy.sympify(formula["text"].replace("^", "**"), locals=dict(zip("xyz", SYMBOLS)), rational=True)
         exact = [f] + [sympy.diff(f, s) for s in SYMBOLS]
-        functions = [sympy.lambdify(SYMBOLS, e, [FUNCTIONS, "cmath"]) for e in exact]
+        functions = [sympy.lambdify(SYMBOLS, e, [FUNCTIONS, vars(cmath)]) for e in exact]
         for point in formula["points"]:
             at = point["at"]
             if point["f"] is None:
                 # The cosine of an imaginary number is real; but then some part of the formula is not.
-                parts = (sympy.lambdify(SYMBOLS, e, [FUNCTIONS, "cmath"]) for e in sympy.preorder_traversal(f))
+                parts = (sympy.lambdify(SYMBOLS, e, [FUNCTIONS, vars(cmath)]) for e in sympy.preorder_traversal(f))
                 if all(real(part, at) is not None for part in parts):
                     print(f"{formula['text']} at {at}: f has a value, {real(functions[0], at)}")
                     failed += 1
