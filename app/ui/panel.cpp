@@ -103,7 +103,11 @@ void toolbar(Scene& scene, PanelMemory& memory, const PanelContext& context) {
 
 void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context) {
     const Look& look = context.look;
-    begin_beside(context.frame.rect, "##panel", {0, 0}, {look.px(kPanelWidth), ImGui::GetIO().DisplaySize.y});
+    const PixelRect& picture = context.frame.rect;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    // In a narrow window, what is open at the other side reaches below this.
+    const bool over_side = context.side.open && static_cast<float>(picture.origin.x + picture.size.x) >= screen.x;
+    begin_beside(picture, "##panel", {0, 0}, {look.px(kPanelWidth), screen.y}, 0, over_side);
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     ImGui::GetWindowDrawList()->AddLine({low.x + size.x - 1, low.y}, {low.x + size.x - 1, low.y + size.y},
                                         packed(look.line));

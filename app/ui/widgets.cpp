@@ -30,9 +30,10 @@ void tip(const Look& look, const char* text) {
     ImGui::EndTooltip();
 }
 
-void begin_beside(const PixelRect& picture, const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags flags) {
+void begin_beside(const PixelRect& picture, const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags flags,
+                  bool over_another) {
     const auto left = static_cast<float>(picture.origin.x), right = left + static_cast<float>(picture.size.x);
-    if (at.x + size.x <= left || at.x >= right) flags |= ImGuiWindowFlags_NoBackground;
+    if (!over_another && (at.x + size.x <= left || at.x >= right)) flags |= ImGuiWindowFlags_NoBackground;
     ImGui::SetNextWindowPos(at);
     ImGui::SetNextWindowSize(size);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);

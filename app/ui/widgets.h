@@ -18,8 +18,9 @@ namespace normalscope {
 void tip(const Look& look, const char* text);
 
 /// Begins a window that stays where it is, beside the picture. The renderer has filled what lies beside the picture with
-/// the panel's colour, so that only one that covers the picture needs a ground of its own.
-void begin_beside(const PixelRect& picture, const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags flags = 0);
+/// the panel's colour, so that only one that covers the picture, or another one (`over_another`), needs a ground of its own.
+void begin_beside(const PixelRect& picture, const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags flags = 0,
+                  bool over_another = false);
 
 /// A heading that opens and closes what follows; what is put on the same line stands at its right.
 bool section(const Look& look, const char* title, bool open_at_first = true);
