@@ -14,8 +14,9 @@ namespace {
 
 // The steps' surfaces are made when they are reached, which must not fail in the middle of a lecture. Shapes and formulas
 // have been checked as they were read; of a mesh file only its reader knows.
-void read_meshes(const Lesson& lesson) {
+void read_meshes(const Lesson& lesson, const Scene& read) {
     std::set<std::string> files;
+    if (const auto* surface = std::get_if<MeshSurface>(&read.surface)) files.insert(surface->mesh);
     for (const LessonStep& step : lesson.steps)
         if (const auto* surface = std::get_if<MeshSurface>(&step.scene.surface);
             surface && files.insert(surface->mesh).second)
@@ -39,8 +40,9 @@ Opened open_file(const std::string& file, const Scene& scene) {
     if (place || is_lesson(file)) {
         opened.lesson = std::make_shared<const Lesson>(load_lesson(place ? place->lesson : file));
         if (place) opened.step = place->step;
-        read_meshes(*opened.lesson);
-        (void)opened.surfaces->get(opened.lesson->steps[opened.step.value_or(0)].scene);
+        const Scene& first = opened.lesson->steps[opened.step.value_or(0)].scene;
+        (void)opened.surfaces->get(first);
+        read_meshes(*opened.lesson, first);
         return opened;
     }
     opened.scene = is_mesh_file(file) ? with_mesh(scene, file) : load_scene(file);

@@ -126,7 +126,8 @@ private:
         PixelRect rect;
         std::optional<int> hot_axis;
         std::optional<Highlight> highlight;
-        bool draft = false, rough = false;
+        Quality quality = Quality::Fine;
+        bool rough = false;
         std::optional<Vector<World>> guess;
         friend bool operator==(const Drawn&, const Drawn&) = default;
     };
@@ -325,15 +326,17 @@ std::optional<WorldBall> Viewer::surface_ball() const {
 Frame Viewer::frame_now(bool handles) {
     const auto make = [&] {
         const std::shared_ptr<const Surface> surface = surfaces_->get(scene_);
-        const bool typing = gui_.interface.typing_formula();
+        const Quality quality = !handles                           ? Quality::Fine
+                                : gui_.interface.typing_formula()  ? Quality::Sketch
+                                : pointer_.busy() || gui_.moving() ? Quality::Draft
+                                                                   : Quality::Fine;
         Frame frame = make_frame(shown_scene(), surface,
                                  {.rect = gui_.interface.picture(window_.framebuffer_size()),
                                   .pixel_scale = scale(),
                                   .hot_axis = pointer_.hot_axis(),
                                   .highlight = gui_.interface.highlighted(),
                                   .handles = handles,
-                                  .draft = handles && (pointer_.busy() || gui_.moving() || typing),
-                                  .sketch = handles && typing,
+                                  .quality = quality,
                                   .level_sets = level_sets_.get(scene_, surface->implicit)});
         gui_.interface.add_to(frame, scene_, scale());
         return frame;
@@ -377,10 +380,11 @@ bool Viewer::redraw() {
         frames_wanted_ = kFramesAfterEvent;
     }
     // While only the interface changes, as in a dialog, the samples still hold the picture.
-    const bool rough = pace_.rough(frame_->draft) || (frame_->draft && frame_->surface->implicit);
+    const bool quick = frame_->quality != Quality::Fine;
+    const bool rough = pace_.rough(quick) || (quick && frame_->surface->implicit);
     const Drawn now{
-        shown_scene(), frame_->surface, frame_->rect,          pointer_.hot_axis(), gui_.interface.highlighted(),
-        frame_->draft, rough,           gui_.interface.guess()};
+        shown_scene(),   frame_->surface, frame_->rect,          pointer_.hot_axis(), gui_.interface.highlighted(),
+        frame_->quality, rough,           gui_.interface.guess()};
     if (rough && !rough_target_) rough_target_.emplace(size, 1);
     Target& target = rough ? *rough_target_ : *target_;
     renderer_.coarsen_drafts(pace_.coarse());
@@ -390,7 +394,7 @@ bool Viewer::redraw() {
         renderer_.draw_again(*frame_, target);
     drawn_ = now;
     gui_.draw();
-    if (frame_->draft) {
+    if (quick) {
         Target::finish();  // swapping waits for the screen besides
         pace_.took(std::chrono::steady_clock::now() - began);
     }

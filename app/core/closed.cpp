@@ -16,19 +16,6 @@ std::uint64_t scattered(std::uint64_t x) {
     return x ^ x >> 31;
 }
 
-// Adds up a random number for each edge and takes off the one for its way back: what is left is 0 if all of them have
-// one, and else 0 only once in 2⁶⁴ cases. That needs no table of edges.
-bool edges_cancel(const std::vector<glm::uvec3>& triangles) {
-    std::uint64_t sum = 0;
-    for (const glm::uvec3& t : triangles)
-        for (int k = 0; k < 3; ++k) {
-            const std::uint64_t a = t[k], b = t[(k + 1) % 3];
-            const std::uint64_t edge = scattered(std::min(a, b) << 32 | std::max(a, b));
-            sum += a < b ? edge : 0 - edge;
-        }
-    return sum == 0;
-}
-
 /// Which vertices hang together: Tarjan's disjoint sets, with paths halved.
 class Parts {
 public:
@@ -47,6 +34,19 @@ private:
 };
 
 }  // namespace
+
+// Adds up a random number for each edge and takes off the one for its way back: what is left is 0 if all of them have
+// one, and else 0 only once in 2⁶⁴ cases. That needs no table of edges.
+bool edges_cancel(const std::vector<glm::uvec3>& triangles) {
+    std::uint64_t sum = 0;
+    for (const glm::uvec3& t : triangles)
+        for (int k = 0; k < 3; ++k) {
+            const std::uint64_t a = t[k], b = t[(k + 1) % 3];
+            const std::uint64_t edge = scattered(std::min(a, b) << 32 | std::max(a, b));
+            sum += a < b ? edge : 0 - edge;
+        }
+    return sum == 0;
+}
 
 bool is_closed(const Mesh& mesh) {
     if (mesh.triangles.empty() || !edges_cancel(mesh.triangles)) return false;

@@ -29,15 +29,14 @@ public:
     void add_object(const glm::dmat4& world_from_object, const glm::dvec3& extent, double reach) {
         for (int corner = 0; corner < 8; ++corner) {
             const glm::dvec3 signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-            const glm::dvec4 world = world_from_object * glm::dvec4(signs * extent, 1.0);
-            in_front_ = in_front_ && world.w > 0.0;
-            add_cube(glm::dvec3(world) / world.w, reach);
+            add_cube(in_world(world_from_object, signs * extent), reach);
         }
     }
-    void add_point(const glm::dmat4& world_from_object, const glm::dvec3& p) {
+    /// Where a point goes; what a projective matrix sends beyond infinity counts as behind the eye.
+    glm::dvec3 in_world(const glm::dmat4& world_from_object, const glm::dvec3& p) {
         const glm::dvec4 world = world_from_object * glm::dvec4(p, 1.0);
         in_front_ = in_front_ && world.w > 0.0;
-        add(glm::dvec3(world) / world.w);
+        return glm::dvec3(world) / world.w;
     }
     /// In the pane's pixels, cut to the pane.
     PixelRect box(glm::ivec2 size) const {
@@ -62,18 +61,18 @@ bool empty(const PixelRect& rect) { return rect.size.x <= 0 || rect.size.y <= 0;
 constexpr std::size_t kFew = 5000;
 
 void add_surface(Bounds& bounds, const Mesh& mesh, const glm::dmat4& world_from_object) {
-    for (const glm::dvec3& p : mesh.positions) bounds.add_point(world_from_object, p);
+    for (const glm::dvec3& p : mesh.positions) bounds.add(bounds.in_world(world_from_object, p));
 }
 
 // Where scene.vert puts them.
 void add_arrows(Bounds& bounds, std::span<const Site> sites, const ArrowDraw& draw, double length, double reach) {
     const glm::dmat4 world_from_object(draw.world_from_object);
     for (const Site& site : sites) {
-        const glm::dvec4 base = world_from_object * glm::dvec4(site.point.xyz, 1.0);
+        const glm::dvec3 base = bounds.in_world(world_from_object, site.point.xyz);
         const glm::dvec3 n = draw.normals(site.normal).xyz;
         const glm::dvec3 along = n == glm::dvec3(0.0) ? n : length * glm::normalize(n);
-        bounds.add_cube(glm::dvec3(base) / base.w, reach);
-        bounds.add_cube(glm::dvec3(base) / base.w + along, reach);
+        bounds.add_cube(base, reach);
+        bounds.add_cube(base + along, reach);
     }
 }
 

@@ -47,11 +47,7 @@ struct Zeros {
 Zeros zeros_of(const ImplicitSurface& surface) {
     const double bound = surface.source().bound;
     Zeros zeros;
-    for (int i = 0; i < kTrialPoints * kTrialPoints * kTrialPoints; ++i) {
-        const glm::dvec3 cell(i % kTrialPoints, i / kTrialPoints % kTrialPoints, i / kTrialPoints / kTrialPoints);
-        // Off the symmetry planes, where the way down may end on a ridge.
-        const glm::dvec3 start = bound * (2.0 / kTrialPoints * (cell + glm::dvec3(0.47, 0.53, 0.51)) - glm::dvec3(1.0));
-        if (!surface.inside_clip(start)) continue;
+    for (const glm::dvec3& start : surface.points_throughout(kTrialPoints)) {
         const double f = surface.at({start}).value;
         zeros.below = zeros.below || f < 0.0;
         zeros.above = zeros.above || f > 0.0;

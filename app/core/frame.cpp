@@ -63,7 +63,7 @@ std::vector<Pane> empty_panes(const Scene& scene, const PixelRect& rect) {
 }
 
 void add_surfaces(Pane& pane, const Scene& scene, const Surface& surface, const WorldFromObject& m, bool ghost,
-                  bool draft, bool sliced) {
+                  Quality quality, bool sliced) {
     const NormalMatrices& matrices = m.normal_matrices_by_rule();
     const ThemeColors colors = theme_colors(scene.theme);
     SurfaceDraw object;
@@ -89,7 +89,7 @@ void add_surfaces(Pane& pane, const Scene& scene, const Surface& surface, const 
     pane.surfaces.push_back(object);
     if (!ghost) return;
     SurfaceDraw shell;
-    if (traced && !draft) shell.traced_object_from_world = glm::dmat4(1.0);
+    if (traced && quality == Quality::Fine) shell.traced_object_from_world = glm::dmat4(1.0);
     shell.cull = SurfaceDraw::Cull::Inside;
     shell.normals = NormalMap{};
     shell.color = glm::vec4(colors.ghost, 0.55f);
@@ -212,8 +212,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
 
     Frame frame;
     frame.rect = options.rect;
-    frame.draft = options.draft;
-    frame.sketch = options.sketch;
+    frame.quality = options.quality;
     frame.theme = scene.theme;
     frame.surface = std::move(surface);
     frame.toward_light = toward(scene.light).xyz;
@@ -240,7 +239,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     const std::shared_ptr<const LevelSets> slice =
         options.level_sets ? options.level_sets : level_sets(scene, frame.surface->implicit.get());
     for (Pane& pane : frame.panes) {
-        add_surfaces(pane, scene, *frame.surface, m, ghost, options.draft, slice != nullptr);
+        add_surfaces(pane, scene, *frame.surface, m, ghost, options.quality, slice != nullptr);
         if (slice) add_slice(pane, scene, *slice, m, ghost, options);
         add_arrows(pane, scene, m);
         if (scene.show.axes) add_axes(pane, scene, frame.surface->extent, options);

@@ -30,6 +30,10 @@ struct PixelRect {
     friend bool operator==(const PixelRect&, const PixelRect&) = default;
 };
 
+/// How formulas' surfaces are drawn: as well as can be; while something moves, at half the resolution; and while one types,
+/// as their mesh where they are new, since a driver takes long to compile their program.
+enum class Quality { Fine, Draft, Sketch };
+
 /// The mesh drawn once, by one matrix.
 struct SurfaceDraw {
     glm::mat4 world_from_object{1.0f};
@@ -116,8 +120,7 @@ struct Frame {
     glm::mat3 shadow_from_ground{0.0f};     ///< (x, z, 1) to a disc that is 1 where the object's shadow ends
     std::vector<LegendEntry> legend;
     bool error_legend = false;
-    bool draft = false;   ///< formulas' surfaces at half the resolution
-    bool sketch = false;  ///< and as their mesh where they are new: the driver takes long to compile their program
+    Quality quality = Quality::Fine;
     std::optional<ProbeInWorld> probe;
     std::optional<SingularPoint> singular;  ///< where the probe stands on one
     std::optional<RaySteps> ray;            ///< the scene's
@@ -129,8 +132,7 @@ struct FrameOptions {
     std::optional<int> hot_axis{};         ///< the axis handle under the pointer
     std::optional<Highlight> highlight{};  ///< what is pointed at in the equations
     bool handles = true;                   ///< knobs on the axes, to be dragged
-    bool draft = false;                    ///< quick rather than fine, while something is being dragged
-    bool sketch = false;                   ///< quicker still, while a formula is being typed
+    Quality quality = Quality::Fine;
     /// The scene's (LevelSetsCache); null: they are made anew.
     std::shared_ptr<const LevelSets> level_sets{};
 };

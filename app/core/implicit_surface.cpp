@@ -48,13 +48,7 @@ void add_where_zero(const ImplicitSurface& surface, const formulas::Box& box, in
 // max(0, g) is 0 wherever g < 0, and so is what underflows.
 std::optional<glm::dvec3> solid_of_zeros(const ImplicitSurface& surface) {
     const double bound = surface.source().bound;
-    std::vector<glm::dvec3> points;
-    for (int i = 0; i < kTrialPoints * kTrialPoints * kTrialPoints; ++i) {
-        const glm::dvec3 cell(i % kTrialPoints, i / kTrialPoints % kTrialPoints, i / kTrialPoints / kTrialPoints);
-        // Off the planes of symmetry, on which what is no solid may be 0 as well.
-        const glm::dvec3 p = bound * (2.0 / kTrialPoints * (cell + glm::dvec3(0.47, 0.53, 0.51)) - glm::dvec3(1.0));
-        if (surface.inside_clip(p)) points.push_back(p);
-    }
+    const std::vector<glm::dvec3> points = surface.points_throughout(kTrialPoints);
     std::vector<double> values(points.size());
     formulas::values(surface.program(), points, values);
     if (std::ranges::any_of(values, [](double f) { return f < 0.0; }) &&
@@ -104,6 +98,16 @@ ImplicitSurface::ImplicitSurface(const FormulaSurface& source)
 bool ImplicitSurface::inside_clip(const glm::dvec3& p) const {
     return source_.clip == Clip::Ball ? glm::dot(p, p) <= source_.bound * source_.bound
                                       : glm::all(glm::lessThanEqual(glm::abs(p), glm::dvec3(source_.bound)));
+}
+
+std::vector<glm::dvec3> ImplicitSurface::points_throughout(int a_side) const {
+    std::vector<glm::dvec3> points;
+    for (int i = 0; i < a_side * a_side * a_side; ++i) {
+        const glm::dvec3 cell(i % a_side, i / a_side % a_side, i / a_side / a_side);
+        const glm::dvec3 p = source_.bound * (2.0 / a_side * (cell + glm::dvec3(0.47, 0.53, 0.51)) - glm::dvec3(1.0));
+        if (inside_clip(p)) points.push_back(p);
+    }
+    return points;
 }
 
 std::optional<std::array<double, 2>> ImplicitSurface::clipped(const Ray<Object>& ray) const {

@@ -39,6 +39,9 @@ public:
     /// Where in the ball or cube f = 0 may lie, and somewhat more. Empty where f has no zero there at all, or no surface.
     const std::optional<formulas::Box>& region() const { return region_; }
     bool inside_clip(const glm::dvec3& p) const;
+    /// Points all over the ball or cube, as of a grid with so many a side, but off the planes of symmetry, on which f may be
+    /// 0, or a way down |f| end on a ridge.
+    std::vector<glm::dvec3> points_throughout(int a_side) const;
 
     formulas::Sample at(Point<Object> p) const { return formulas::sample(program_, p.xyz); }
 

@@ -1,6 +1,7 @@
 // Surface nets (Gibson, "Constrained elastic surface nets", 1998): a vertex in each cell of a grid whose corners differ in
 // sign, a quad across each edge whose ends do. Every vertex then goes down the gradient onto the surface itself.
 
+#include "core/closed.h"
 #include "core/implicit_surface.h"
 
 #include <glm/common.hpp>
@@ -206,14 +207,6 @@ void SurfaceNet::trim() {
         }
 }
 
-// Whether each occurs an even number of times: no edge is open.
-bool all_in_pairs(std::vector<std::uint64_t> edges) {
-    std::ranges::sort(edges);
-    for (std::size_t i = 0; i + 1 < edges.size(); i += 2)
-        if (edges[i] != edges[i + 1]) return false;
-    return edges.size() % 2 == 0;
-}
-
 Mesh SurfaceNet::mesh() {
     Mesh mesh;
     std::vector<std::uint32_t> used(positions_.size(), kNoVertex);
@@ -233,16 +226,8 @@ Mesh SurfaceNet::mesh() {
         const double length = glm::length(gradients_[v]);
         mesh.normals.push_back(length > 0.0 && std::isfinite(length) ? gradients_[v] / length : glm::dvec3(0.0));
     }
-    std::vector<std::uint64_t> edges;
-    edges.reserve(3 * triangles_.size());
-    for (const glm::uvec3& t : triangles_) {
-        mesh.triangles.push_back({used[t.x], used[t.y], used[t.z]});
-        for (int k = 0; k < 3; ++k) {
-            const auto [a, b] = std::minmax(t[k], t[(k + 1) % 3]);
-            edges.push_back(std::uint64_t{a} << 32 | b);
-        }
-    }
-    mesh.closed = all_in_pairs(std::move(edges));
+    for (const glm::uvec3& t : triangles_) mesh.triangles.push_back({used[t.x], used[t.y], used[t.z]});
+    mesh.closed = edges_cancel(mesh.triangles);
     return mesh;
 }
 

@@ -1,5 +1,6 @@
 #include "core/error.h"
 #include "core/polygons.h"
+#include "core/threads.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +10,6 @@
 #include <future>
 #include <limits>
 #include <system_error>
-#include <thread>
 
 namespace normalscope {
 
@@ -173,9 +173,7 @@ std::vector<Part> read_parts(const std::vector<std::string_view>& texts) {
 }  // namespace
 
 Polygons read_obj(std::string_view text, const std::string& file) {
-    const std::size_t threads = std::clamp<std::size_t>(text.size() / kTextWorthAThread, 1,
-                                                        std::clamp(std::thread::hardware_concurrency(), 1u, 4u));
-    std::vector<Part> parts = read_parts(cut(text, threads));
+    std::vector<Part> parts = read_parts(cut(text, threads_for(text.size(), kTextWorthAThread)));
     // Indices that count back need everything before them: read the file in one go.
     if (std::any_of(parts.begin() + (parts.empty() ? 0 : 1), parts.end(), [](const Part& p) { return p.relative; }))
         parts = read_parts({text});

@@ -208,7 +208,7 @@ private:
         if (!hidden(base + vector)) {
             const glm::dvec2 neck = to - head * along;
             heads += path_data({neck - half * across, to, neck + half * across}, true);
-            const glm::dvec2 back = 0.9 * head * along;
+            const glm::dvec2 back = static_cast<double>(ArrowProportions::kToSecondHead) * head * along;
             if (two_heads)
                 heads += path_data({neck - back - half * across, to - back, neck - back + half * across}, true);
         }

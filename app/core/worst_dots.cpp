@@ -1,5 +1,7 @@
 #include "core/worst_dots.h"
 
+#include "core/threads.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -123,8 +125,7 @@ std::array<std::optional<double>, 3> worst_dots(std::span<const glm::dvec3> norm
     Task task{.rules = {}, .tangents = scale(tangents) * tangents};
     for (std::size_t k = 0; k < maps.size(); ++k)
         if (maps[k]) task.rules[k] = affine(*maps[k]);
-    const std::size_t threads = std::clamp<std::size_t>(normals.size() / kNormalsWorthAThread, 1,
-                                                        std::clamp(std::thread::hardware_concurrency(), 1u, 4u));
+    const std::size_t threads = threads_for(normals.size(), kNormalsWorthAThread);
     WorstByRule none;
     for (Worst& one : none) {
         one.above.fill(0.0);

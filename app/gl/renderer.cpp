@@ -64,7 +64,7 @@ private:
     static constexpr double kYields = 6e-4;
     void begin(const SceneProgram& program, const Frame& frame, const Pane& pane) const;
     static void set_normals(const SceneProgram& program, const NormalMap& normals);
-    static void set_look(const SceneProgram& program, const SurfaceDraw& draw);
+    static void set_look(const SceneProgram& program, const Pane& pane, const SurfaceDraw& draw);
     static void set_error_maps(const ErrorMapProgram& program, const Frame& frame);
 };
 
@@ -120,7 +120,8 @@ void Renderer::Resources::set_normals(const SceneProgram& program, const NormalM
     program.unit_at_pixels = normals.at_pixels ? 1.0f : 0.0f;
 }
 
-void Renderer::Resources::set_look(const SceneProgram& program, const SurfaceDraw& draw) {
+void Renderer::Resources::set_look(const SceneProgram& program, const Pane& pane, const SurfaceDraw& draw) {
+    if (draw.yields) program.clip_from_world = glm::mat4(pane.view.clip_from_world_behind(kYields));
     set_normals(program, draw.normals.value_or(NormalMap{.matrix = glm::dmat4(0.0)}));
     program.zero_is_black = draw.black_where_zero ? 1.0f : 0.0f;
     program.outside = draw.outside;
@@ -183,7 +184,7 @@ void Renderer::Resources::draw_backdrop(const Frame& frame, const Pane& pane, co
 }
 
 void Renderer::Resources::draw_surface(const Frame& frame, const Pane& pane, const SurfaceDraw& draw) {
-    const bool as_mesh = frame.sketch && !(tracer && tracer->ready(*frame.surface->implicit));
+    const bool as_mesh = frame.quality == Quality::Sketch && !(tracer && tracer->ready(*frame.surface->implicit));
     if (draw.traced_object_from_world && !as_mesh) return draw_traced(frame, pane, draw);
     const SceneProgram* program = &scene_program;
     if (draw.by_error && frame.error_maps) {
@@ -192,8 +193,7 @@ void Renderer::Resources::draw_surface(const Frame& frame, const Pane& pane, con
     }
     begin(*program, frame, pane);
     if (program != &scene_program) set_error_maps(*error_map_program, frame);
-    set_look(*program, draw);
-    if (draw.yields) program->clip_from_world = glm::mat4(pane.view.clip_from_world_behind(kYields));
+    set_look(*program, pane, draw);
     program->world_from_object = draw.world_from_object;
     program->tint = draw.color;
     if (draw.cull != SurfaceDraw::Cull::None) glEnable(GL_CULL_FACE);
@@ -204,9 +204,10 @@ void Renderer::Resources::draw_surface(const Frame& frame, const Pane& pane, con
 }
 
 void Renderer::Resources::draw_traced(const Frame& frame, const Pane& pane, const SurfaceDraw& draw) {
-    const int coarseness = frame.draft ? draft_coarseness : 1;
+    const bool fine = frame.quality == Quality::Fine;
+    const int coarseness = fine ? 1 : draft_coarseness;
     std::vector<glm::vec2> shifts;
-    if (!frame.draft) shifts = sample_places();
+    if (fine) shifts = sample_places();
     for (glm::vec2& place : shifts) place -= 0.5f;
     if (!tracer) tracer.emplace();
     const bool by_error = draw.by_error && frame.error_maps;
@@ -217,8 +218,7 @@ void Renderer::Resources::draw_traced(const Frame& frame, const Pane& pane, cons
 
     const TracedProgram& program = *wanted;
     begin(program, frame, pane);
-    set_look(program, draw);
-    if (draw.yields) program.clip_from_world = glm::mat4(pane.view.clip_from_world_behind(kYields));
+    set_look(program, pane, draw);
     if (by_error) set_error_maps(program, frame);
     program.tint = draw.color;
     program.space_from_clip = glm::mat4(glm::inverse(pane.view.clip_from_world()));

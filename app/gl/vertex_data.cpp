@@ -163,19 +163,17 @@ ArrowVertices::ArrowVertices(std::span<const Site> sites)
                                                   : count > 60          ? 6
                                                                         : 8);
     shape_count_ = static_cast<GLsizei>(shape.size());
-    std::vector<SiteVertex> instances(sites.size());
-    for (std::size_t i = 0; i < instances.size(); ++i) instances[i] = site_vertex(sites[i]);
     fill_scene_vertices(array_, shape_, shape);
-    fill_sites(sites_, instances);
+    fill_sites(sites_, {});  // when it is known in which order
 }
 
 // Where arrows hide one another by the thousand, the nearest are drawn first: what lies behind is not shaded. A coarse
 // direction will do, and is kept while the eye hardly moves; but the order depends on nothing else, so that a picture
 // is the same whatever was drawn before it.
 void ArrowVertices::put_in_order(const glm::vec3& away_from_eye) {
-    if (!(glm::dot(away_from_eye, away_from_eye) > 0.0f)) return;
     constexpr float kDirections = 6.0f;
-    const glm::ivec3 order(glm::round(kDirections * glm::normalize(away_from_eye)));
+    const bool any = all_.size() < kFlatFrom || !(glm::dot(away_from_eye, away_from_eye) > 0.0f);
+    const glm::ivec3 order(any ? glm::vec3(0.0f) : glm::round(kDirections * glm::normalize(away_from_eye)));
     if (std::exchange(order_, order) == order) return;
 
     constexpr std::size_t kLayers = 4096;
@@ -193,7 +191,7 @@ void ArrowVertices::put_in_order(const glm::vec3& away_from_eye) {
 
 void ArrowVertices::draw(const glm::vec3& away_from_eye) {
     if (site_count_ == 0) return;
-    if (all_.size() >= kFlatFrom) put_in_order(away_from_eye);
+    put_in_order(away_from_eye);
     // A software driver holds all vertices of a draw at once, after the shader: 2 GB for a million arrows.
     // What it then bins of several draws adds up as well, where it draws slower than it bins.
     constexpr GLsizei kBatch = 8192, kAhead = 8 * kBatch;

@@ -5,6 +5,7 @@
 #include "gl/objects.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 
 namespace normalscope {
@@ -58,7 +59,7 @@ private:
     void put_in_order(const glm::vec3& away_from_eye);
 
     std::span<const Site> all_;
-    glm::ivec3 order_{0};
+    std::optional<glm::ivec3> order_;  ///< that the sites are in
     GlVertexArray array_;
     GlBuffer shape_, sites_;
     GLsizei shape_count_ = 0, site_count_ = 0;

@@ -23,8 +23,8 @@ struct Fonts {
     ImFont* equation = nullptr;  ///< 25 px
 };
 
-/// Letters beyond those that the interface itself uses: those of file names, messages and lessons. Baking every letter of every
-/// script at the start would cost more than all else that the interface does.
+/// Letters beyond those that the interface itself uses: those of file names, messages and lessons. Baking every letter of
+/// every script at the start would cost more than all else that the interface does.
 class ExtraLetters {
 public:
     /// Remembers the letters of this text that `font` lacks.

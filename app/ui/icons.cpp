@@ -1,5 +1,7 @@
 #include "ui/icons.h"
 
+#include "core/solids.h"
+
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -188,9 +190,9 @@ void draw_arrow(ImDrawList& list, ArrowKind kind, ImVec2 from, ImVec2 to, float 
         list.AddTriangle(at(neck, -half), at(neck, half), at(length, 0), color, 0.6f * thickness);
     else
         list.AddTriangleFilled(at(neck, -half), at(length, 0), at(neck, half), color);
+    const float back = ArrowProportions::kToSecondHead * head;
     if (kind == ArrowKind::Cofactor)  // two heads, as in the picture
-        list.AddTriangleFilled(at(neck - 0.9f * head, -half), at(length - 0.9f * head, 0), at(neck - 0.9f * head, half),
-                               color);
+        list.AddTriangleFilled(at(neck - back, -half), at(length - back, 0), at(neck - back, half), color);
 }
 
 }  // namespace normalscope

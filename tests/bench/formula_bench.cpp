@@ -8,12 +8,11 @@
 #include "gl/renderer.h"
 #include "gl/target.h"
 #include "gui.h"
+#include "measure.h"
 #include "platform/context.h"
 
 #include <glad/gl.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -29,19 +28,16 @@ constexpr glm::ivec2 kSize(1280, 720);
 class Window {
 public:
     /// Of the whole frame, from the scene to the last pixel.
-    enum class As { Sketch, Draft, Still };
-    double milliseconds(const Scene& scene, As as) {
-        const auto start = std::chrono::steady_clock::now();
+    double milliseconds(const Scene& scene, Quality quality) {
+        const Stopwatch watch;
         const Frame frame =
-            make_frame(scene, surfaces_.get(scene),
-                       {.rect = gui_.interface.picture(kSize), .draft = as != As::Still, .sketch = as == As::Sketch});
+            make_frame(scene, surfaces_.get(scene), {.rect = gui_.interface.picture(kSize), .quality = quality});
         Scene shown = scene;
         gui_.layout(kSize, scene.theme, 1.0f, [&] { gui_.interface.draw(shown, frame, {}); });
-        renderer_.draw(frame, as == As::Still ? target_ : rough_target_);
+        renderer_.draw(frame, quality == Quality::Fine ? target_ : rough_target_);
         gui_.draw();
         glFinish();
-        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-        return took.count();
+        return watch.milliseconds();
     }
 
 private:
@@ -51,11 +47,10 @@ private:
     SurfaceCache surfaces_;
 };
 
-double median(int count, const std::function<double(int)>& measure) {
+double median_of(int count, const std::function<double(int)>& measure) {
     std::vector<double> values;
     for (int i = 0; i < count; ++i) values.push_back(measure(i));
-    std::nth_element(values.begin(), values.begin() + count / 2, values.end());
-    return values[static_cast<std::size_t>(count / 2)];
+    return median(values);
 }
 
 Scene with_formula(const std::string& text, double a = 1.0) {
@@ -74,19 +69,18 @@ int main() {
     context->make_current();
     Window window;
     const std::string torus = "(x^2+y^2+z^2+a-0.1)^2-4a(x^2+y^2)";
-    using As = Window::As;
-    for (int i = 0; i < 3; ++i) window.milliseconds(with_formula(torus, 0.8), i > 0 ? As::Draft : As::Still);
+    for (int i = 0; i < 3; ++i) window.milliseconds(with_formula(torus, 0.8), i > 0 ? Quality::Draft : Quality::Fine);
     const double drag =
-        median(40, [&](int i) { return window.milliseconds(with_formula(torus, 0.8 + 0.005 * i), As::Draft); });
+        median_of(40, [&](int i) { return window.milliseconds(with_formula(torus, 0.8 + 0.005 * i), Quality::Draft); });
     const double still =
-        median(15, [&](int i) { return window.milliseconds(with_formula(torus, 0.8 + 0.005 * i), As::Still); });
+        median_of(15, [&](int i) { return window.milliseconds(with_formula(torus, 0.8 + 0.005 * i), Quality::Fine); });
     // Another number in it each time: nothing that was compiled before serves again.
-    const auto anew = [&](As as, int first) {
-        return median(15, [&, as](int i) {
-            return window.milliseconds(with_formula("x^3+y^2z-" + std::to_string(first + i) + "/7x y-z^2"), as);
+    const auto anew = [&](Quality quality, int first) {
+        return median_of(15, [&, quality](int i) {
+            return window.milliseconds(with_formula("x^3+y^2z-" + std::to_string(first + i) + "/7x y-z^2"), quality);
         });
     };
-    const double sketched = anew(As::Sketch, 2), traced = anew(As::Still, 102);
+    const double sketched = anew(Quality::Sketch, 2), traced = anew(Quality::Fine, 102);
     std::printf("{\"drag_ms\": %.1f, \"still_ms\": %.1f, \"new_formula_ms\": %.1f, \"new_formula_traced_ms\": %.1f}\n",
                 drag, still, sketched, traced);
 }

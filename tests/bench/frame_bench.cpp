@@ -8,12 +8,11 @@
 #include "gl/renderer.h"
 #include "gl/target.h"
 #include "gui.h"
+#include "measure.h"
 #include "platform/context.h"
 
 #include <glad/gl.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <vector>
 
@@ -31,18 +30,16 @@ double median_frame_milliseconds(int samples) {
     Scene scene = load_scene(std::string(kDefaultScene));
     std::vector<double> milliseconds;
     for (int i = 0; i < kFrames + 5; ++i) {
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         scene.camera.azimuth += 1.0;
         const Frame frame = make_frame(scene, surfaces.get(scene), {.rect = gui.interface.picture(kSize)});
         gui.layout(kSize, scene.theme, 1.0f, [&] { gui.interface.draw(scene, frame, {}); });
         renderer.draw(frame, target);
         gui.draw();
         glFinish();
-        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-        if (i >= 5) milliseconds.push_back(took.count());  // the first ones compile shaders
+        if (i >= 5) milliseconds.push_back(watch.milliseconds());  // the first ones compile shaders
     }
-    std::nth_element(milliseconds.begin(), milliseconds.begin() + kFrames / 2, milliseconds.end());
-    return milliseconds[kFrames / 2];
+    return median(milliseconds);
 }
 
 }  // namespace

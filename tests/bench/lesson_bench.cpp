@@ -11,6 +11,7 @@
 #include "gl/renderer.h"
 #include "gl/target.h"
 #include "gui.h"
+#include "measure.h"
 #include "opening.h"
 #include "pace.h"
 #include "platform/context.h"
@@ -18,7 +19,6 @@
 #include <glad/gl.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -30,21 +30,6 @@ namespace {
 
 constexpr glm::ivec2 kSize(1280, 720);
 constexpr int kFramesBetweenSteps = 12;
-
-class Stopwatch {
-public:
-    std::chrono::duration<double> seconds() const { return std::chrono::steady_clock::now() - start_; }
-    double milliseconds() const { return 1000.0 * seconds().count(); }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-double median(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 class Window {
 public:
@@ -67,7 +52,7 @@ public:
                                        {.rect = gui_.interface.picture(kSize),
                                         .pixel_scale = scale_,
                                         .handles = true,
-                                        .draft = moving,
+                                        .quality = moving ? Quality::Draft : Quality::Fine,
                                         .level_sets = level_sets_.get(scene, surface->implicit)});
         Status status;
         const Transform<World, Object> m = world_from_object(scene);

@@ -2,12 +2,13 @@
 // one line of JSON: milliseconds, medians of several turns.
 
 #include "core/normal_rules.h"
+#include "core/threads.h"
 #include "core/worst_dots.h"
+#include "measure.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <functional>
 #include <random>
@@ -22,18 +23,13 @@ constexpr std::size_t kCount = 10'000'000;
 constexpr int kTurns = 9;
 
 double milliseconds(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     work();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(std::vector<double>& values) {
-    std::nth_element(values.begin(), values.begin() + kTurns / 2, values.end());
-    return values[kTurns / 2];
+    return watch.milliseconds();
 }
 
 void read_and_write(const std::vector<glm::dvec3>& from, std::vector<glm::dvec3>& to) {
-    const std::size_t threads = std::clamp(std::thread::hardware_concurrency(), 1u, 4u);
+    const std::size_t threads = threads_for(kCount, 1);
     const std::size_t part = (kCount + threads - 1) / threads;
     std::vector<std::jthread> workers;
     for (std::size_t t = 0; t < threads; ++t)

@@ -2,6 +2,7 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
@@ -20,9 +21,6 @@ namespace fs = std::filesystem;
 
 class MeshFile : public testing::Test {
 protected:
-    MeshFile() { fs::create_directories(folder_); }
-    ~MeshFile() override { fs::remove_all(folder_); }
-
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
     Mesh load(const std::string& name, const std::string& bytes) const {
         write_file(path(name), bytes);
@@ -44,8 +42,8 @@ protected:
     }
 
 private:
-    fs::path folder_ = fs::path(testing::TempDir()) /
-                       (std::string("normalscope-") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    const TemporaryFolder temporary_{fs::path(testing::TempDir()) / "normalscope-mesh"};
+    const fs::path& folder_ = temporary_.path();
 };
 
 #define EXPECT_SAYS(text, words) EXPECT_NE((text).find(words), std::string::npos) << (text)

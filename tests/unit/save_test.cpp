@@ -2,6 +2,7 @@
 #include "core/scene_file.h"
 #include "core/scene_json.h"
 #include "settings.h"
+#include "temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -26,9 +27,6 @@ namespace fs = std::filesystem;
 
 class SaveTest : public testing::Test {
 protected:
-    SaveTest() { fs::create_directories(folder_); }
-    ~SaveTest() override { fs::remove_all(folder_); }
-
     /// Saves the two versions in turn in another process, which is killed in the middle of it, again and again: the file
     /// must always be the one or the other. Gives how many of the two it was seen to be.
     std::size_t killed_while_saving(const fs::path& file, const std::function<void(int version)>& save) {
@@ -55,7 +53,8 @@ protected:
         return seen.size();
     }
 
-    const fs::path folder_ = fs::temp_directory_path() / ("normalscope-save-" + std::to_string(::getpid()));
+    const TemporaryFolder temporary_{fs::path(testing::TempDir()) / "normalscope-save"};
+    const fs::path& folder_ = temporary_.path();
 };
 
 TEST_F(SaveTest, AKillInTheMiddleLeavesAWholeScene) {
