@@ -99,6 +99,7 @@ class FilesTest(WindowTest):
         window.key("Return")
         window.key("Return")  # yes, overwrite it
         until(lambda: json.loads((self.folder / "deep/s.json").read_text())["rule"] == "cofactor", "the scene")
+        self.assert_closes(window)  # of two windows, the keys go to whichever has the focus
         # A lesson would lose its steps.
         lesson = '{"normalscope": 1, "lesson": "L", "about": "l", "steps": [{"caption": "A sphere.", "scene": {"stack": []}}]}'
         self.file("lesson.json", lesson)
