@@ -22,6 +22,11 @@ function(gtest_executable target folder)
   target_link_libraries(${target} PRIVATE
     normalscope_cli normalscope_gl normalscope_platform normalscope_ui normalscope_embedded
     nlohmann_json::nlohmann_json GTest::gtest_main)
+  if(folder STREQUAL unit)
+    target_precompile_headers(unit_tests PRIVATE ${common_headers} <gtest/gtest.h>)
+  else()
+    target_precompile_headers(${target} REUSE_FROM unit_tests)
+  endif()
   if(TARGET Eigen3::Eigen)
     target_link_libraries(${target} PRIVATE Eigen3::Eigen)
   endif()
