@@ -1,5 +1,5 @@
-#include "core/scene_file.h"
 #include "core/scene_json.h"
+#include "core/scene_file.h"
 
 #include "core/error.h"
 #include "core/file.h"
