@@ -1,4 +1,13 @@
 // Light on whatever normal it is given: a wrong normal shows as wrong light.
+#ifdef LIT_AT_VERTICES
+in vec3 vertex_color;
+
+out vec4 color;
+
+void main() { color = vec4(vertex_color, 1.0); }
+#else
+#include "light.glsl"
+
 #ifdef TRACED
 in vec3 ray;  // in world space
 
@@ -41,11 +50,6 @@ uniform vec3 ramp[6];
 #endif
 
 out vec4 color;  // times alpha
-
-// Colours are sRGB. Squares and square roots stand in for its curve: near enough to the eye, and flat colours come out
-// exactly as they went in.
-vec3 to_light(vec3 c) { return c * c; }
-vec3 to_srgb(vec3 c) { return sqrt(clamp(c, 0.0, 1.0)); }
 
 #ifdef ERROR_MAP
 vec3 error_color(vec3 object_normal) {
@@ -93,14 +97,7 @@ void main() {
         base = inside_color;
     }
     vec3 view = normalize(eye - world_position);
-    float diffuse = dot(n, toward_light);
-    // Light wraps a little around the edge, and the sky is brighter than the ground.
-    float lit = 0.26 + 0.12 * n.y + 0.72 * max(0.85 * diffuse + 0.15, 0.0);
-    if (color_coded > 0.5) lit = 0.55 + 0.5 * lit;  // light gives it shape but must not drown it
-    vec3 halfway = normalize(toward_light + view);
-    float shine = max(dot(n, halfway), 0.0);
-    shine *= shine; shine *= shine; shine *= shine; shine *= shine; shine *= shine;
-    vec3 c = to_light(base) * lit + vec3(0.10) * shine * step(0.0, diffuse);
+    vec3 c = lit(base, n, view, toward_light, color_coded > 0.5);
     float alpha = base_color.a;
     if (ghost > 0.5) {
         float rim = 1.0 - abs(dot(n, view));
@@ -109,3 +106,4 @@ void main() {
     }
     color = vec4(to_srgb(c), 1.0) * alpha;
 }
+#endif

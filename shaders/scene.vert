@@ -18,9 +18,17 @@ uniform float shaft_radius;
 uniform float head_length;
 uniform vec4 tint;           // sRGB; alpha 0: each vertex has its own colour
 
+#ifdef LIT_AT_VERTICES
+#include "light.glsl"
+
+uniform vec3 toward_light;
+
+out vec3 vertex_color;
+#else
 out vec3 world_position;
 out vec3 world_normal;
 out vec4 base_color;
+#endif
 #ifdef ERROR_MAP
 out vec3 object_normal;
 #endif
@@ -48,9 +56,16 @@ void main() {
         world.xyz += size > 0.0 ? offset : vec3(0.0);  // no direction, no arrow
         direction = normal.x * u + normal.y * v + normal.z * axis;
     }
+#ifdef LIT_AT_VERTICES
+    float size = length(direction);
+    vec3 n = size > 0.0 ? direction / size : vec3(0.0);
+    float light_between = 0.4 + 0.3 * position.z;  // the tips stand out of the others' shade
+    vertex_color = to_srgb(light_between * lit(tint.rgb, n, normalize(eye - world.xyz), toward_light, true));
+#else
     world_position = world.xyz;
     world_normal = direction;
     base_color = tint.a > 0.0 ? tint : own_color;
+#endif
 #ifdef ERROR_MAP
     object_normal = normal;
 #endif

@@ -1,5 +1,7 @@
 // What each tile of a traced picture holds: nothing, a surface, or an edge of one. All that is done for each sample is
 // done at edges only.
+#include "edges.glsl"
+
 uniform sampler2D centres;  // what trace.frag wrote for the pixels' centres
 uniform int tile_size;      // in pixels
 

@@ -47,7 +47,13 @@ struct TextureKind {
     static void destroy(const GLuint* id) { glDeleteTextures(1, id); }
 };
 
+struct QueryKind {
+    static void create(GLuint* id) { glGenQueries(1, id); }
+    static void destroy(const GLuint* id) { glDeleteQueries(1, id); }
+};
+
 using GlBuffer = GlObject<BufferKind>;
+using GlQuery = GlObject<QueryKind>;
 using GlVertexArray = GlObject<VertexArrayKind>;
 using GlFramebuffer = GlObject<FramebufferKind>;
 using GlRenderbuffer = GlObject<RenderbufferKind>;

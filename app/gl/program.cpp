@@ -5,21 +5,43 @@
 #include <array>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace normalscope {
 
 namespace {
 
+std::string_view embedded_shader(std::string_view name) {
+    const auto text = embedded::file("shaders/" + std::string(name));
+    if (!text) throw std::runtime_error("shaders/" + std::string(name) + ": is not part of this program");
+    return *text;
+}
+
+constexpr std::string_view kInclude = "#include \"";
+
+// A shader file, and in it, at their lines, the files that it includes.
+void append_file(std::vector<std::string_view>& parts, std::string_view name) {
+    std::string_view rest = embedded_shader(name);
+    parts.push_back("#line 1\n");
+    for (std::size_t at = rest.find(kInclude); at != rest.npos; at = rest.find(kInclude)) {
+        parts.push_back(rest.substr(0, at));
+        rest.remove_prefix(at + kInclude.size());
+        parts.push_back(embedded_shader(rest.substr(0, rest.find('"'))));
+        rest.remove_prefix(rest.find('\n') + 1);
+    }
+    parts.push_back(rest);
+}
+
 void append_stage(GLuint program, GLenum stage, std::string_view file, std::string_view define,
                   std::string_view generated = "") {
     const std::string defines = define.empty() ? "" : "#define " + std::string(define) + "\n";
-    const std::array<std::string_view, 5> parts{Program::file("preamble.glsl"), defines, generated, "#line 1\n",
-                                                Program::file(file)};
-    std::array<const GLchar*, 5> texts{};
-    std::array<GLint, 5> lengths{};
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        texts[i] = parts[i].data();
-        lengths[i] = static_cast<GLint>(parts[i].size());
+    std::vector<std::string_view> parts{embedded_shader("preamble.glsl"), defines, generated};
+    append_file(parts, file);
+    std::vector<const GLchar*> texts;
+    std::vector<GLint> lengths;
+    for (const std::string_view part : parts) {
+        texts.push_back(part.data());
+        lengths.push_back(static_cast<GLint>(part.size()));
     }
     const GLuint shader = glCreateShader(stage);
     glShaderSource(shader, static_cast<GLsizei>(parts.size()), texts.data(), lengths.data());
@@ -37,12 +59,6 @@ void append_stage(GLuint program, GLenum stage, std::string_view file, std::stri
 }
 
 }  // namespace
-
-std::string_view Program::file(std::string_view name) {
-    const auto text = embedded::file("shaders/" + std::string(name));
-    if (!text) throw std::runtime_error("shaders/" + std::string(name) + ": is not part of this program");
-    return *text;
-}
 
 Program::Program(std::string_view vertex_file, std::string_view fragment_file, std::string_view define,
                  std::string_view generated)

@@ -12,7 +12,7 @@
 
 namespace normalscope {
 
-/// A GL program from two embedded shader files, each behind the shared preamble. Derived classes name its uniforms
+/// A GL program from two embedded shader files, each behind the shared preamble and with what it includes. Derived classes name its uniforms
 /// once, as typed slots. Throws std::runtime_error with the file's name and the compiler's log.
 class Program {
 public:
@@ -35,9 +35,6 @@ public:
     private:
         GLint location_;
     };
-
-    /// An embedded shader file, to be put before another one.
-    static std::string_view file(std::string_view name);
 
 protected:
     static void set(GLint at, int v) { glUniform1i(at, v); }

@@ -52,7 +52,7 @@ struct TraceProgram : Program {
 };
 
 struct TilesProgram : Program {
-    TilesProgram() : Program("trace.vert", "tiles.frag", {}, file("edges.glsl")) {}
+    TilesProgram() : Program("trace.vert", "tiles.frag") {}
 
     Slot<int> centres{*this, "centres"};
     Slot<int> tile_size{*this, "tile_size"};
@@ -81,6 +81,13 @@ struct SceneProgram : Program {
     Slot<glm::vec3> inside_color{*this, "inside_color"};
     Slot<float> ghost{*this, "ghost"};
     Slot<glm::vec4> tint{*this, "tint"};
+};
+
+/// Boxes in world space, to ask whether anything of them would be seen.
+struct BoxProgram : Program {
+    BoxProgram() : Program("box.vert", "box.frag") {}
+
+    Slot<glm::mat4> clip_from_world{*this, "clip_from_world"};
 };
 
 /// The mesh, coloured by the naive rule's error.

@@ -1,11 +1,11 @@
 #include "gl/renderer.h"
 
 #include "core/drawn_box.h"
+#include "gl/arrow_field.h"
 #include "gl/programs.h"
 #include "gl/tracer.h"
 #include "gl/vertex_data.h"
 
-#include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -32,6 +32,7 @@ struct Renderer::Resources {
     std::optional<BackdropProgram> backdrop_program;
     std::optional<ResolvingProgram> resolving_program;
     SceneProgram scene_program;
+    std::optional<SceneProgram> arrow_field_program;
     std::optional<ErrorMapProgram> error_map_program;  // compiled when first wanted
     std::optional<TracedProgram> traced_program, traced_error_program;
     std::optional<Tracer> tracer;
@@ -42,11 +43,17 @@ struct Renderer::Resources {
     std::shared_ptr<const Surface> surface;
     std::optional<MeshVertices> mesh;
     std::optional<ArrowVertices> arrows;
+    std::optional<ArrowField> arrow_field;  // in place of those, where there are a great many
 
     void hold(const std::shared_ptr<const Surface>& wanted) {
         if (surface == wanted) return;
         mesh.emplace(wanted->mesh);
-        arrows.emplace(wanted->arrows);
+        arrows.reset();
+        arrow_field.reset();
+        if (wanted->arrows.size() >= ArrowField::kFrom)
+            arrow_field.emplace(wanted->arrows);
+        else
+            arrows.emplace(wanted->arrows);
         surface = wanted;
     }
 
@@ -265,23 +272,28 @@ void Renderer::Resources::draw_traced(const Frame& frame, const Pane& pane, cons
 
 void Renderer::Resources::draw_arrows(const Frame& frame, const Pane& pane) {
     if (pane.arrows.empty()) return;
-    begin(scene_program, frame, pane);
+    if (arrow_field && !arrow_field_program) arrow_field_program.emplace("LIT_AT_VERTICES");
+    const SceneProgram& program = arrow_field ? *arrow_field_program : scene_program;
+    begin(program, frame, pane);
     glEnable(GL_CULL_FACE);
+    const auto draw_all = [&](const ArrowDraw& draw, float length) {
+        program.arrow_length = length;
+        if (arrow_field)
+            arrow_field->draw(program, draw, pane.view);
+        else
+            arrows->draw();
+    };
     for (const ArrowDraw& draw : pane.arrows) {
-        scene_program.world_from_object = draw.world_from_object;
-        set_normals(scene_program, draw.normals);
-        scene_program.tint = glm::vec4(draw.color, 1.0f);
-        scene_program.arrow_length = draw.length;
-        scene_program.shaft_radius = draw.radius;
+        program.world_from_object = draw.world_from_object;
+        set_normals(program, draw.normals);
+        program.tint = glm::vec4(draw.color, 1.0f);
+        program.shaft_radius = draw.radius;
         const float head =
             std::min(ArrowProportions::kHeadLength * draw.radius, ArrowProportions::kLongestHead * draw.length);
-        // How the distance from the eye grows over object space: w is that distance.
-        const glm::vec3 away = glm::row(glm::mat4(pane.view.clip_from_world()) * draw.world_from_object, 3);
-        scene_program.head_length = head;
-        arrows->draw(away);
-        if (!draw.two_heads) continue;
-        scene_program.arrow_length = draw.length - ArrowProportions::kToSecondHead * head;
-        arrows->draw(away);
+        program.head_length = head;
+        draw_all(draw, draw.length);
+        if (draw.two_heads && !(arrow_field && !arrow_field->has_heads()))
+            draw_all(draw, draw.length - ArrowProportions::kToSecondHead * head);
     }
     glDisable(GL_CULL_FACE);
 }

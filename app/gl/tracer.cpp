@@ -41,7 +41,7 @@ std::string generated(const ImplicitSurface& surface) {
     const int degree = exact ? std::max(*surface.degree(), 1) : kOtherwise;
     return surface.glsl().source + formulas::ray_samples_glsl(degree) +
            "const float CAUTION = " + (has_kinks(surface.formula().graph) ? "24.0" : "2.0") + ";\n" +
-           "const bool POLYNOMIAL = " + (exact ? "true" : "false") + ";\n" + std::string(Program::file("edges.glsl"));
+           "const bool POLYNOMIAL = " + (exact ? "true" : "false") + ";\n";
 }
 
 // Where the box lies in the picture, in GL's pixels, and one pixel around it; the whole picture where a part is behind the eye.

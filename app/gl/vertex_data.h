@@ -50,16 +50,10 @@ private:
 /// One arrow's shape, drawn at every site.
 class ArrowVertices {
 public:
-    /// The sites have to outlive this.
     explicit ArrowVertices(std::span<const Site> sites);
-    /// `away_from_eye`, in object space, says which arrows hide which.
-    void draw(const glm::vec3& away_from_eye);
+    void draw() const;
 
 private:
-    void put_in_order(const glm::vec3& away_from_eye);
-
-    std::span<const Site> all_;
-    std::optional<glm::ivec3> order_;  ///< that the sites are in
     GlVertexArray array_;
     GlBuffer shape_, sites_;
     GLsizei shape_count_ = 0, site_count_ = 0;

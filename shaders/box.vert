@@ -1,0 +1,5 @@
+layout(location = 0) in vec3 position;  // in world space
+
+uniform mat4 clip_from_world;
+
+void main() { gl_Position = clip_from_world * vec4(position, 1.0); }
