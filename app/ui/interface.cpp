@@ -59,7 +59,7 @@ constexpr std::array<std::string_view, 5> kTabIds{"derivation", "stack", "maps",
 constexpr std::size_t kDerivation = 0;
 
 // In a window hardly wider than what stands beside the picture, that covers part of it rather than all.
-constexpr float kNarrowestPicture = 240.0f;
+constexpr float kNarrowestPicture = 240.0f, kLeastPicture = 120.0f;
 
 // What can be done to a scene without a product that overflows; the last stack is kept otherwise.
 void undo_overflow(Scene& scene, std::vector<StackEntry>& before, Messages& messages) {
@@ -112,10 +112,10 @@ std::vector<SideTab> Interface::State::tabs() {
 
 bool Interface::State::shows_panel(int framebuffer) const {
     if (!panel_shown || lecture.presenting || lecture.predict.running()) return false;
-    const int beside = side_width(framebuffer);
-    return !lecture.player.running() || beside == 0 ||
-           framebuffer - static_cast<int>(look.px(kPanelWidth)) - beside >=
-               static_cast<int>(look.px(kNarrowestPicture));
+    // Where both do not fit beside each other, the tab that was opened is what one wants to see; closing it is one press.
+    const int beside = side_width(framebuffer), room = framebuffer - static_cast<int>(look.px(kPanelWidth)) - beside;
+    return beside == 0 ||
+           room >= static_cast<int>(look.px(lecture.player.running() ? kNarrowestPicture : kLeastPicture));
 }
 
 // A lecturer may write in any script.
