@@ -47,6 +47,7 @@ void Gui::paint(Image& image) const { normalscope::paint(*ImGui::GetDrawData(), 
 
 bool Gui::wants_mouse() const { return ImGui::GetIO().WantCaptureMouse; }
 bool Gui::wants_keyboard() const { return ImGui::GetIO().WantTextInput; }
+void Gui::finish_typing() { ImGui::ClearActiveID(); }
 bool Gui::editing() const { return ImGui::IsAnyItemActive() || interface.playing(); }
 bool Gui::moving() const {
     return interface.playing() || (ImGui::IsAnyItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left));

@@ -31,6 +31,8 @@ public:
 
     bool wants_mouse() const;
     bool wants_keyboard() const;
+    /// What has been typed into a field is taken as it is.
+    void finish_typing();
     /// While a slider or a handle is held, or the stack is played, a change is not finished.
     bool editing() const;
     /// The scene is changing from frame to frame: a slider is held, or the stack is being played.

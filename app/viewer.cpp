@@ -26,6 +26,8 @@
 #include <GLFW/glfw3.h>
 #include <imgui_impl_glfw.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <future>
@@ -39,6 +41,12 @@ namespace {
 constexpr int kSamples = 4;
 // Dear ImGui settles over a few frames after an event: a hovered button lights up in the next one.
 constexpr int kFramesAfterEvent = 3;
+
+// With Ctrl; what a field knows itself, such as Ctrl+Z, is meant for its text.
+bool leaves_a_field(int key) {
+    constexpr std::array kKeys{GLFW_KEY_F, GLFW_KEY_L, GLFW_KEY_O, GLFW_KEY_P, GLFW_KEY_Q, GLFW_KEY_S};
+    return std::ranges::find(kKeys, key) != kKeys.end();
+}
 
 // A link is as long as its scene, and says nothing to people.
 std::string short_name(const std::string& file) {
@@ -265,7 +273,11 @@ void Viewer::on_key(int key, int modifiers) {
     if (key == GLFW_KEY_F1) return gui_.interface.toggle_help();
     if (key == GLFW_KEY_F11) return window_.toggle_full_screen();
     if (key == GLFW_KEY_F5) return present(!gui_.interface.presenting());
-    if (pointer_.busy() || gui_.wants_keyboard() || gui_.interface.dialog_shown()) return;
+    if (pointer_.busy() || gui_.interface.dialog_shown()) return;
+    if (gui_.wants_keyboard()) {
+        if (!control || !leaves_a_field(key)) return;
+        gui_.finish_typing();
+    }
     history_.commit(scene_);
     if (control) {
         switch (key) {

@@ -152,6 +152,7 @@ bool Interface::prepare(Theme theme, float scale) {
     if (first) {
         ImGuiIO& io = ImGui::GetIO();
         io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard | ImGuiConfigFlags_NavNoCaptureKeyboard;
+        io.ConfigDragClickToInputText = true;
         io.ConfigInputTextCursorBlink = false;  // a blinking cursor would redraw an idle window
         io.IniFilename = io.LogFilename = nullptr;
     }

@@ -1,5 +1,7 @@
 #include "ui/widgets.h"
 
+#include "core/typed_number.h"
+
 #include "ui/numbers.h"
 
 #include <imgui_internal.h>  // TempInputIsActive: whether a number is being typed
@@ -131,8 +133,30 @@ void draw_bar(const Look& look, double value, const NumberBar& bar) {
 void bar_tip(const Look& look, const NumberBar& bar) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip) || ImGui::IsItemActive()) return;
     const std::string text = std::string(bar.about) + (*bar.about ? "\n" : "") +
-                             "Drag to change (Alt: slowly), double-click or Ctrl+click to type.";
+                             "Drag to change (Alt: slowly), click to type: 0.5, 1/2, √2, pi/4.";
     tip(look, text.c_str());
+}
+
+// Dear ImGui reads just the 1 of "1/2", and forgets digits where typing is given up.
+void read_typed(const Look& look, ImGuiID id, double& value, const NumberBar& bar, double before) {
+    const ImGuiInputTextState* state = ImGui::GetInputTextState(id);
+    if (!state || state->TextA.empty() || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) {
+        value = before;
+        return;
+    }
+    const std::string_view text = state->TextA.Data;
+    const std::optional<double> typed = text == state->InitialTextA.Data ? before : typed_number(text);
+    value = typed.value_or(before);
+    const bool outside = typed && (*typed < bar.range.low || *typed > bar.range.high);
+    if (text.empty() || (typed && !outside)) return;
+    const std::string why = typed ? "from " + brief(bar.range.low) + " to " + brief(bar.range.high)
+                                  : std::string("no number yet: 0.5, 1/2, √2 and pi/4 are");
+    ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + look.px(4)});
+    if (!ImGui::BeginTooltip()) return;
+    ImGui::PushFont(look.fonts.small);
+    ImGui::TextUnformatted(why.c_str());
+    ImGui::PopFont();
+    ImGui::EndTooltip();
 }
 
 }  // namespace
@@ -141,8 +165,9 @@ bool number_bar(const Look& look, const char* id, double& value, const NumberBar
     const bool has_bar = bar.low < bar.high;
     const float width = ImGui::CalcItemWidth();
     const double before = value;
-    const bool typing = ImGui::TempInputIsActive(ImGui::GetID(id));
-    const bool dragging = !typing && ImGui::GetActiveID() == ImGui::GetID(id);
+    const ImGuiID field = ImGui::GetID(id);
+    const bool typing = ImGui::TempInputIsActive(field);
+    const bool dragging = !typing && ImGui::GetActiveID() == field;
     // While dragged, the format tells what to round to; when typing begins, it tells how many digits to show.
     const std::string format =
         dragging ? "%." + std::to_string(std::max(0, static_cast<int>(std::lround(-std::log10(bar.step))))) + "f"
@@ -158,10 +183,16 @@ bool number_bar(const Look& look, const char* id, double& value, const NumberBar
     bool changed = ImGui::DragScalar(id, ImGuiDataType_Double, &value, static_cast<float>(speed), &low, &high,
                                      format.c_str(), ImGuiSliderFlags_None);
     ImGui::PopStyleColor();
-    if (!ImGui::TempInputIsActive(ImGui::GetID(id))) draw_bar(look, value, bar);
+    static double before_typing;  // one types into one field at a time
+    if (typing) {
+        read_typed(look, field, value, bar, before_typing);
+        changed = value != before;
+    } else if (ImGui::TempInputIsActive(field)) {
+        before_typing = before;
+    }
+    if (!ImGui::TempInputIsActive(field)) draw_bar(look, value, bar);
     bar_tip(look, bar);
     if (!changed) return false;
-    if (!std::isfinite(value)) value = before;                       // "nan" and "1e999" can be typed
     value = std::clamp(value, bar.range.low, bar.range.high) + 0.0;  // + 0: not −0
     return value != before;
 }
