@@ -69,10 +69,16 @@ private:
     bool redraw();  ///< false where there is nothing to draw on
     /// Until the interface knows of all input so far: whose the next press is depends on what lies under the pointer by
     /// now, and on whether something is being typed.
+    /// What is typed into a formula is not drawn letter by letter where letters come faster than pictures.
     void catch_up() {
-        while (gui_.has_more_input() && redraw()) {
-        }
+        while (gui_.has_more_input())
+            if (gui_.interface.typing_formula() && frame_)
+                obey(lay_out());
+            else if (!redraw())
+                return;
     }
+    /// The interface over the last frame; it may change the scene.
+    Requests lay_out();
     Frame frame_now(bool handles);
     /// The surface with its arrows; empty where there is none.
     std::optional<WorldBall> surface_ball() const;
@@ -362,6 +368,14 @@ Frame Viewer::frame_now(bool handles) {
     }
 }
 
+Requests Viewer::lay_out() {
+    Requests requests;
+    gui_.layout(window_.framebuffer_size(), shown_scene().theme, scale(), [&] {
+        requests = gui_.interface.draw(scene_, *frame_, {history_.can_undo(), history_.can_redo(), errors_, file_});
+    });
+    return requests;
+}
+
 bool Viewer::redraw() {
     const auto began = std::chrono::steady_clock::now();
     const glm::ivec2 size = window_.framebuffer_size();
@@ -383,10 +397,7 @@ bool Viewer::redraw() {
     }
 
     const Scene before = scene_;
-    Requests requests;
-    gui_.layout(size, shown_scene().theme, scale(), [&] {
-        requests = gui_.interface.draw(scene_, *frame_, {history_.can_undo(), history_.can_redo(), errors_, file_});
-    });
+    const Requests requests = lay_out();
     if (scene_ != before) {
         frame_ = frame_now(true);  // so that the picture follows the slider without a frame's delay
         frames_wanted_ = kFramesAfterEvent;

@@ -7,6 +7,7 @@
 
 #define GLFW_INCLUDE_NONE  // GL's declarations come from glad
 #include <GLFW/glfw3.h>
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cstdlib>
@@ -74,6 +75,13 @@ GLFWmonitor* monitor_of(const WindowPlace& place) {
     return best;
 }
 
+// No larger than what its monitor leaves to windows.
+glm::ivec2 fitting_size(const WindowPlace& place) {
+    glm::ivec2 room(0);
+    if (GLFWmonitor* monitor = monitor_of(place)) glfwGetMonitorWorkarea(monitor, nullptr, nullptr, &room.x, &room.y);
+    return room.x > 0 && room.y > 0 ? glm::min(place.size, room) : place.size;
+}
+
 }  // namespace
 
 Window::Window(const char* title, const WindowPlace& place) {
@@ -89,7 +97,8 @@ Window::Window(const char* title, const WindowPlace& place) {
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "normalscope");
-    window_ = glfwCreateWindow(place.size.x, place.size.y, title, nullptr, nullptr);
+    const glm::ivec2 size = fitting_size(place);
+    window_ = glfwCreateWindow(size.x, size.y, title, nullptr, nullptr);
     if (!window_) {
         const std::string reason = last_error();
         glfwTerminate();

@@ -210,7 +210,8 @@ void formula_section(Scene& scene, FormulaMemory& memory, const PanelContext& co
     if (!surface) return;
     const Look& look = context.look;
     field(scene, *surface, memory, context);
-    if (const std::shared_ptr<const Surface>& drawn = context.frame.surface; drawn && !drawn->mesh.note.empty())
+    const std::shared_ptr<const Surface>& drawn = context.frame.surface;
+    if (!memory.draft.mistake() && drawn && !drawn->mesh.note.empty())  // else of what was typed before
         remark(look, look.accent, drawn->mesh.note);
     // The derivatives stand with their values at the probe, unless there is none.
     written_formula(look, memory.written, surface->formula, ImGui::GetContentRegionAvail().x,

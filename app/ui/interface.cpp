@@ -59,7 +59,8 @@ constexpr std::array<std::string_view, 5> kTabIds{"derivation", "stack", "maps",
 constexpr std::size_t kDerivation = 0;
 
 // In a window hardly wider than what stands beside the picture, that covers part of it rather than all.
-constexpr float kNarrowestPicture = 240.0f, kLeastPicture = 120.0f;
+constexpr float kNarrowestPicture = 240.0f;  // beside panel and tab; else the panel makes room
+constexpr float kLeastPicture = 120.0f;      // beside a tab
 
 // What can be done to a scene without a product that overflows; the last stack is kept otherwise.
 void undo_overflow(Scene& scene, std::vector<StackEntry>& before, Messages& messages) {
@@ -112,10 +113,10 @@ std::vector<SideTab> Interface::State::tabs() {
 
 bool Interface::State::shows_panel(int framebuffer) const {
     if (!panel_shown || lecture.presenting || lecture.predict.running()) return false;
-    // Where both do not fit beside each other, the tab that was opened is what one wants to see; closing it is one press.
-    const int beside = side_width(framebuffer), room = framebuffer - static_cast<int>(look.px(kPanelWidth)) - beside;
-    return beside == 0 ||
-           room >= static_cast<int>(look.px(lecture.player.running() ? kNarrowestPicture : kLeastPicture));
+    // Where both leave hardly a picture, the tab that was opened is what one wants to see; closing it is one press.
+    const int beside = side_width(framebuffer);
+    return beside == 0 || framebuffer - static_cast<int>(look.px(kPanelWidth)) - beside >=
+                              static_cast<int>(look.px(kNarrowestPicture));
 }
 
 // A lecturer may write in any script.
@@ -176,7 +177,7 @@ PixelRect Interface::picture(glm::ivec2 framebuffer) const {
     // In a window hardly wider than the panels, they cover part of the picture rather than all of it.
     const int left = framebuffer.x - panel >= panel / 4 ? panel : 0;
     const int side = state_->side_width(framebuffer.x);
-    const int right = framebuffer.x - left - side >= static_cast<int>(state_->look.px(kNarrowestPicture)) ? side : 0;
+    const int right = framebuffer.x - left - side >= static_cast<int>(state_->look.px(kLeastPicture)) ? side : 0;
     const int width = std::max(framebuffer.x - left - right, 1);
     const auto below = static_cast<int>(
         state_->lecture.strip_height(state_->look, static_cast<float>(width), static_cast<float>(framebuffer.y)));

@@ -137,10 +137,10 @@ void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context) 
     if (rest) {
         ImGui::Indent(look.px(16) - right);
         stack_section(look, scene, memory.stack);
-        singular_section(scene, context);
         // What is typed comes before what follows from it.
         const bool formula = std::holds_alternative<FormulaSurface>(scene.surface);
         if (formula) surface_section(scene, memory, context);
+        singular_section(scene, context);
         slice_section(scene, context);
         probe_section(scene, memory, context);
         if (!formula) surface_section(scene, memory, context);
