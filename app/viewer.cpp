@@ -246,6 +246,7 @@ void Viewer::connect() {
     glfwSetKeyCallback(w, [](GLFWwindow* window, int key, int code, int action, int modifiers) {
         on_event(window, [&](Viewer& v) {
             if (action == GLFW_PRESS) v.catch_up();
+            v.gui_.interface.key_was_pressed();
             if (v.to_lecture(key, action, modifiers)) return;
             ImGui_ImplGlfw_KeyCallback(window, key, code, action, modifiers);
             // A key that is held must not switch back and forth.
@@ -461,7 +462,10 @@ void Viewer::obey(const Requests& requests) {
 
 void Viewer::copy_link() {
     glfwSetClipboardString(window_.handle(), link_of(scene_).c_str());
-    gui_.interface.show_note("Copied a link to this scene: paste it with Ctrl+V, or give it as FILE");
+    const auto* mesh = std::get_if<MeshSurface>(&scene_.surface);
+    gui_.interface.show_note(mesh ? "Copied a link to this scene. It names " + mesh->mesh +
+                                        " but does not hold it: whoever opens the link needs that file there"
+                                  : "Copied a link to this scene: paste it with Ctrl+V, or give it as FILE");
 }
 
 void Viewer::copy_equations() {

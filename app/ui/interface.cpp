@@ -184,9 +184,14 @@ PixelRect Interface::picture(glm::ivec2 framebuffer) const {
     return {{left, 0}, {width, std::max(framebuffer.y - below, 1)}};
 }
 
+void Interface::key_was_pressed() { state_->look.tips = false; }
+
 Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status) {
     Requests requests;
     State& s = *state_;
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f || ImGui::IsMouseDown(ImGuiMouseButton_Left))
+        s.look.tips = true;
     std::vector<StackEntry> before = scene.stack;
     draw_words(frame);
     const std::vector<SideTab> tabs = s.tabs();

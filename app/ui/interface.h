@@ -84,6 +84,8 @@ public:
     /// undone.
     bool playing() const;
     bool typing_formula() const;
+    /// The pointer's tip goes, until it moves again.
+    void key_was_pressed();
 
     /// The formula's field gets the keyboard; another surface gives way to a formula.
     void edit_formula(Scene& scene);

@@ -1,7 +1,6 @@
 #include "ui/widgets.h"
 
 #include "core/typed_number.h"
-
 #include "ui/numbers.h"
 
 #include <imgui_internal.h>  // TempInputIsActive: whether a number is being typed
@@ -21,7 +20,7 @@ void tip(const Look& look, const char* text) {
         storage.SetInt(kClicked, item);
     else if (!hovered && storage.GetInt(kClicked) == item)
         storage.SetInt(kClicked, 0);
-    if (!*text || !hovered || storage.GetInt(kClicked) == item) return;
+    if (!*text || !hovered || !look.tips || storage.GetInt(kClicked) == item) return;
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) return;
     if (!ImGui::BeginTooltip()) return;
     ImGui::PushFont(look.fonts.small);
@@ -150,7 +149,7 @@ void read_typed(const Look& look, ImGuiID id, double& value, const NumberBar& ba
     const bool outside = typed && (*typed < bar.range.low || *typed > bar.range.high);
     if (text.empty() || (typed && !outside)) return;
     const std::string why = typed ? "from " + brief(bar.range.low) + " to " + brief(bar.range.high)
-                                  : std::string("no number yet: 0.5, 1/2, √2 and pi/4 are");
+                                  : std::string("not yet a number, such as 0.5, 1/2, √2 or pi/4");
     ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + look.px(4)});
     if (!ImGui::BeginTooltip()) return;
     ImGui::PushFont(look.fonts.small);
