@@ -39,6 +39,9 @@ private:
     std::uint64_t state_;
 };
 
+// What earns all points, and from where on there are none: as far off as the naive rule, within these bounds.
+constexpr double kRightWithin = 3.0, kClearlyOff = 15.0, kNoneFrom = 45.0;
+
 struct Factor {
     double value;
     const char* text;
@@ -53,6 +56,12 @@ std::string number(double value) {
     std::string s = text;
     if (s.starts_with('-')) s.replace(0, 1, "−");
     return s;
+}
+
+std::string tenths(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f", value);
+    return text;
 }
 
 std::string diag(const glm::dvec3& d) { return "diag(" + number(d.x) + ", " + number(d.y) + ", " + number(d.z) + ")"; }
@@ -269,6 +278,42 @@ Question make_question(Exercise& e, Dice& dice) {
     }
 }
 
+// ---- one of a level ---------------------------------------------------------------------------------------------
+
+void pose(Exercise& e, Dice& dice) {
+    switch (e.level) {
+        case 0: put_on_outline(e, dice), scale_one(e, dice); break;
+        case 1: put_on_outline(e, dice), scale_two(e, dice); break;
+        case 2: put_on_outline(e, dice), scale_and_turn(e, dice); break;
+        case 3: put_on_outline(e, dice), shear(e, dice); break;
+        case 4: put_on_outline(e, dice), mirror(e, dice); break;
+        default:
+            // Until the answer faces the camera, so that an arrow can be dragged there.
+            do {
+                e.scene = bare_scene();
+                e.scene.camera.azimuth = dice.uniform(-40.0, 40.0);
+                e.scene.camera.elevation = dice.uniform(5.0, 30.0);
+                if (dice.below(2) == 0)
+                    put_on_ellipsoid(e, dice);
+                else
+                    put_in_front(e, dice);
+                anything(e, dice);
+            } while (!faces_camera(e));
+    }
+}
+
+void transform(Exercise& e) {
+    const Transform<World, Object> m = world_from_object(e.scene);
+    if (const auto truth = m(e.normal)) e.truth = {glm::normalize(truth->xyz)};
+    e.naive = {glm::normalize(transform_normal_naively(m, e.normal).xyz)};
+}
+
+// Where the naive rule is wrong it is so for all to see; an answer like its own must not earn points.
+bool tells_the_rules_apart(const Exercise& e) {
+    const double off = judge(e, {e.truth.xyz}, 0).naive_off;
+    return off == 0.0 || off >= kClearlyOff;
+}
+
 }  // namespace
 
 Exercise make_exercise(std::uint64_t seed, int number) {
@@ -286,31 +331,14 @@ Exercise make_exercise(std::uint64_t seed, int number) {
         e.normal = {{0, 1, 0}};
         e.at = {{0, 1, 0}};
     } else {
-        switch (e.level) {
-            case 0: put_on_outline(e, dice), scale_one(e, dice); break;
-            case 1: put_on_outline(e, dice), scale_two(e, dice); break;
-            case 2: put_on_outline(e, dice), scale_and_turn(e, dice); break;
-            case 3: put_on_outline(e, dice), shear(e, dice); break;
-            case 4: put_on_outline(e, dice), mirror(e, dice); break;
-            default:
-                // Until the answer faces the camera, so that an arrow can be dragged there.
-                do {
-                    e.scene = bare_scene();
-                    e.scene.camera.azimuth = dice.uniform(-40.0, 40.0);
-                    e.scene.camera.elevation = dice.uniform(5.0, 30.0);
-                    if (dice.below(2) == 0)
-                        put_on_ellipsoid(e, dice);
-                    else
-                        put_in_front(e, dice);
-                    anything(e, dice);
-                } while (!faces_camera(e));
-        }
+        do {
+            pose(e, dice);
+            transform(e);
+        } while (!tells_the_rules_apart(e));
         e.scene.probe = e.at;
         e.task += " Drag the dark arrow to where the normal points.";
     }
-    const Transform<World, Object> m = world_from_object(e.scene);
-    if (const auto truth = m(e.normal)) e.truth = {glm::normalize(truth->xyz)};
-    e.naive = {glm::normalize(transform_normal_naively(m, e.normal).xyz)};
+    transform(e);
     return e;
 }
 
@@ -329,21 +357,27 @@ Scene revealed(const Exercise& exercise) {
 }
 
 Judgement judge(const Exercise& exercise, const Vector<World>& guess, int hints) {
+    const auto off = [&](const glm::dvec3& v, double otherwise) {
+        return std::round(10.0 * angle_degrees(v, exercise.truth.xyz).value_or(otherwise)) / 10.0;
+    };
     Judgement result;
-    result.degrees_off = angle_degrees(guess.xyz, exercise.truth.xyz).value_or(180.0);
-    const double share = std::clamp((45.0 - result.degrees_off) / (45.0 - 3.0), 0.0, 1.0);
-    result.points = std::max(static_cast<int>(std::lround(10.0 * share)) - 2 * hints, 0);
+    result.degrees_off = off(guess.xyz, 180.0);
+    result.naive_off = off(exercise.naive.xyz, 0.0);
+    result.none_from = std::clamp(result.naive_off, kClearlyOff, kNoneFrom);
+    const double share = (result.none_from - result.degrees_off) / (result.none_from - kRightWithin);
+    result.points = std::max(static_cast<int>(kMostPoints * std::clamp(share, 0.0, 1.0)) - 2 * hints, 0);
     return result;
 }
 
 std::string verdict(const Exercise& exercise, const Judgement& judgement) {
-    char text[96];
-    std::snprintf(text, sizeof text, "%s %.1f° off.", judgement.degrees_off < 5.0 ? "✓ " : "", judgement.degrees_off);
-    std::string line = text;
-    if (line.starts_with(' ')) line.erase(0, 1);
-    const auto naive_off = angle_degrees(exercise.naive.xyz, exercise.truth.xyz).value_or(0.0);
-    std::snprintf(text, sizeof text, " The naive rule is %.1f° off.", naive_off);
-    return line + text + " " + exercise.why;
+    return (judgement.degrees_off <= kRightWithin ? "✓ Yours is " : "Yours is ") + tenths(judgement.degrees_off) +
+           "° off the right one; the naive rule’s is " + tenths(judgement.naive_off) + "°. " + exercise.why;
+}
+
+std::string points_line(const Judgement& judgement) {
+    return std::to_string(judgement.points) + " of " + std::to_string(kMostPoints) + " points: all within " +
+           number(kRightWithin) + "° of the right one, none from " + number(judgement.none_from) + "° on" +
+           (judgement.none_from == judgement.naive_off ? ", where the naive rule’s is" : "") + "; a hint costs 2.";
 }
 
 std::optional<ExercisesName> exercises_name(const std::string& name) {

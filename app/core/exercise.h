@@ -39,14 +39,18 @@ Exercise make_exercise(std::uint64_t seed, int number);
 /// The scene with both arrows and their angle, once the answer is given.
 Scene revealed(const Exercise& exercise);
 
-/// How good an answer is.
+inline constexpr int kMostPoints = 10;
+
+/// How good an answer is. Angles in whole tenths of a degree, so that the points are those of the numbers shown.
 struct Judgement {
-    double degrees_off = 0.0;
-    int points = 0;  ///< 10 within 3°, none from 45° on; each hint costs 2
+    double degrees_off = 0.0, naive_off = 0.0;
+    double none_from = 0.0;  ///< so many degrees off there are no points: no more than the naive rule is
+    int points = 0;          ///< kMostPoints within 3°; each hint costs 2
 };
 Judgement judge(const Exercise& exercise, const Vector<World>& guess, int hints);
-/// What is said of it.
+/// What is said of it, and of its points.
 std::string verdict(const Exercise& exercise, const Judgement& judgement);
+std::string points_line(const Judgement& judgement);
 
 /// "exercises", or "exercises:SEED": what opens them wherever a FILE is asked for. Empty for all else.
 struct ExercisesName {

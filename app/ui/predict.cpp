@@ -7,7 +7,9 @@ namespace normalscope {
 
 namespace {
 
-constexpr int kMostPoints = 10;
+constexpr const char* kUnmoved =
+    "The arrow has not been moved yet: it points as the normal does on the object. Check (Enter) once more takes it as "
+    "the answer.";
 
 }  // namespace
 
@@ -23,7 +25,7 @@ void Predict::begin(int number, Scene& scene) {
     judgement_.reset();
     answer_.reset();
     hints_ = 0;
-    dragging_ = false;
+    dragging_ = moved_ = asked_unmoved_ = false;
     guess_.direction = {exercise_.normal.xyz};  // as it is in the object: what people start from
     show(scene, exercise_.scene);
 }
@@ -45,11 +47,20 @@ bool Predict::grab(const Frame& frame, const Scene& scene, double pixel_scale, g
 }
 
 void Predict::drag(const Frame& frame, const Scene& scene, double pixel_scale, glm::dvec2 pixel) {
-    if (dragging_) guess_.drag_to(frame, scene.arrows.length, pixel_scale, pixel);
+    if (!dragging_) return;
+    moved_ = true;
+    guess_.drag_to(frame, scene.arrows.length, pixel_scale, pixel);
+}
+
+void Predict::turn(const Frame& frame, double right, double up) {
+    if (!can_turn()) return;
+    moved_ = true;
+    guess_.turn(frame, right, up);
 }
 
 void Predict::check(Scene& scene) {
-    if (answered() || exercise_.question) return;
+    if (!can_turn()) return;
+    if (!moved_ && !std::exchange(asked_unmoved_, true)) return;
     judgement_ = judge(exercise_, guess_.direction, hints_);
     points_ += judgement_->points;
     possible_ += kMostPoints;
@@ -61,6 +72,7 @@ void Predict::check(Scene& scene) {
 void Predict::hint() {
     if (!can_turn()) return;
     hints_ = std::min(hints_ + 1, static_cast<int>(exercise_.hints.size()));
+    asked_unmoved_ = false;
 }
 
 void Predict::next(Scene& scene) {
@@ -79,8 +91,11 @@ void Predict::choose(std::size_t choice, Scene& scene) {
 
 Speech Predict::speech() const {
     Speech speech{exercise_.task, {}, {}, exercise_.question};
-    if (judgement_)
+    if (judgement_) {
         speech.caption = verdict(exercise_, *judgement_);
+        speech.look_at = points_line(*judgement_);
+    } else if (asked_unmoved_ && !moved_)
+        speech.look_at = kUnmoved;
     else if (hints_ > 0)
         speech.look_at = exercise_.hints[static_cast<std::size_t>(hints_ - 1)];
     else if (!exercise_.question)
@@ -92,7 +107,9 @@ std::vector<Speech> Predict::speeches() const {
     std::vector<Speech> all{speech()};
     if (exercise_.question) return all;
     for (const std::string& hint : exercise_.hints) all.push_back({exercise_.task, hint, {}, {}});
-    all.push_back({verdict(exercise_, judge(exercise_, {exercise_.naive.xyz}, 0)), {}, {}, {}});
+    const Judgement naive = judge(exercise_, {exercise_.naive.xyz}, 0);
+    all.push_back({exercise_.task, kUnmoved, {}, {}});
+    all.push_back({verdict(exercise_, naive), points_line(naive), {}, {}});
     return all;
 }
 

@@ -27,12 +27,11 @@ public:
     void drag(const Frame& frame, const Scene& scene, double pixel_scale, glm::dvec2 pixel);
     bool release() { return std::exchange(dragging_, false); }
     bool dragging() const { return dragging_; }
-    void turn(const Frame& frame, double right, double up) {
-        if (can_turn()) guess_.turn(frame, right, up);
-    }
+    void turn(const Frame& frame, double right, double up);
     const Vector<World>& guess() const { return guess_.direction; }
 
     bool answered() const { return judgement_.has_value() || answer_.has_value(); }
+    /// An arrow that nobody has moved is judged only when asked a second time: it may be the answer, or a slip of the key.
     void check(Scene& scene);
     void hint();
     void next(Scene& scene);
@@ -53,6 +52,7 @@ private:
     bool running_ = false, dragging_ = false;
     Exercise exercise_;
     GuessArrow guess_;
+    bool moved_ = false, asked_unmoved_ = false;
     int hints_ = 0;
     std::optional<Judgement> judgement_;
     std::optional<std::size_t> answer_;

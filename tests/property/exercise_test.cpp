@@ -41,6 +41,45 @@ TEST(Exercise, TruthIsWhatTheTangentsSay) {
     for (const int count : levels) EXPECT_GT(count, 10);
 }
 
+// An answer is worth the more, the better it is than the naive rule's; and the numbers shown are those judged by.
+TEST(Exercise, PointsAreForWhatTheNaiveRuleGetsWrong) {
+    for (std::uint64_t seed = 0; seed < 60; ++seed)
+        for (int number = 0; number < 24; ++number) {
+            const Exercise e = make_exercise(seed, number);
+            if (e.question) continue;
+            const Judgement naive = judge(e, {e.naive.xyz}, 0);
+            if (naive.naive_off == 0.0) continue;
+            EXPECT_GE(naive.naive_off, 15.0) << seed << ":" << number;
+            EXPECT_EQ(naive.points, 0) << seed << ":" << number;
+            if (naive.naive_off > 170.0) continue;
+            const Judgement half = judge(e, {glm::normalize(e.naive.xyz + e.truth.xyz)}, 0);
+            EXPECT_LE(half.points, 6) << seed << ":" << number;
+            EXPECT_NEAR(half.degrees_off, naive.naive_off / 2, 0.11);
+        }
+}
+
+TEST(Exercise, SaysWhoseErrorIsWhose) {
+    Exercise e;
+    e.truth = {{1, 0, 0}};
+    e.naive = {{std::cos(0.44505), std::sin(0.44505), 0}};  // 25.5°
+    e.why = "Because.";
+    const auto at = [](double degrees) {
+        const double a = degrees * std::acos(-1.0) / 180.0;
+        return Vector<World>{{std::cos(a), std::sin(a), 0}};
+    };
+    EXPECT_EQ(verdict(e, judge(e, at(12.2), 0)),
+              "Yours is 12.2° off the right one; the naive rule’s is 25.5°. Because.");
+    EXPECT_EQ(points_line(judge(e, at(12.2), 1)),
+              "3 of 10 points: all within 3° of the right one, none from 25.5° on, where the naive rule’s is; a hint "
+              "costs 2.");
+    EXPECT_EQ(judge(e, at(3.04), 0).points, 10);  // shown as 3.0°
+    EXPECT_EQ(judge(e, at(3.1), 0).points, 9);
+    EXPECT_TRUE(verdict(e, judge(e, at(2), 0)).starts_with("✓ Yours is 2.0° off"));
+    e.naive = e.truth;
+    EXPECT_TRUE(points_line(judge(e, at(9), 0))
+                    .starts_with("5 of 10 points: all within 3° of the right one, none from 15° on; "));
+}
+
 TEST(Exercise, IsReproducible) {
     for (int number = 0; number < 30; ++number) {
         const Exercise a = make_exercise(42, number), b = make_exercise(42, number);
