@@ -3,6 +3,7 @@
 #include "cli/values.h"
 #include "core/error.h"
 #include "core/file.h"
+#include "core/json_reading.h"
 #include "core/link.h"
 
 #include <algorithm>
@@ -128,21 +129,6 @@ Check read_check(const Json& json, const std::string& path, const fs::path& fold
     return check;
 }
 
-Json parsed(const fs::path& file) {
-    const auto not_too_deep = [&](int depth, Json::parse_event_t, Json&) {
-        if (depth > kDeepest)
-            throw InputError(file.string() + ": nested more than " + std::to_string(kDeepest) + " levels deep");
-        return true;
-    };
-    try {
-        return Json::parse(read_file(file, kLargestManifest), not_too_deep);
-    } catch (const Json::exception& e) {
-        std::string reason = e.what();
-        if (const auto end = reason.find("] "); end != std::string::npos) reason.erase(0, end + 2);
-        throw InputError(file.string() + ": not valid JSON: " + reason);
-    }
-}
-
 std::string shown(const Json& j) { return j.dump(-1, ' ', false, Json::error_handler_t::replace).substr(0, 80); }
 
 bool agree(const Json& found, const Json& expected, double within) {
@@ -178,7 +164,7 @@ const Json* at_path(const Json& numbers, const std::string& path) {
 }  // namespace
 
 std::vector<Check> read_manifest(const fs::path& file) {
-    const Json json = parsed(file);
+    const Json json = read_json(read_file(file, kLargestManifest), file.string(), kDeepest);
     const fs::path folder = file.parent_path();
     Keys manifest(json, file.string() + ":");
     const Json* version = manifest.find("normalscope_check");

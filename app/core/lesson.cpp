@@ -3,12 +3,11 @@
 #include "core/error.h"
 #include "core/file.h"
 #include "core/json_position.h"
+#include "core/json_reading.h"
 #include "core/scene_file.h"
 #include "core/scene_patch.h"
 
 #include <embedded.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -34,21 +33,7 @@ public:
 
     Lesson read() {
         // The syntax's errors come with their line already, and as scenes' do.
-        Json root;
-        try {
-            root = Json::parse(text_, [&](int depth, Json::parse_event_t, Json&) {
-                // Much deeper JSON would overflow the stack of whoever writes it into an error.
-                if (depth > kDeepest)
-                    throw InputError(source_ + ": nested more than " + std::to_string(kDeepest) +
-                                     " levels deep, which no lesson is");
-                return true;
-            });
-        } catch (const Json::exception& e) {
-            std::string reason = e.what();
-            if (const auto end = reason.find("] "); end != std::string::npos) reason.erase(0, end + 2);
-            std::ranges::replace(reason, '\n', ' ');
-            throw InputError(source_ + ": not valid JSON: " + reason);
-        }
+        const Json root = read_json(text_, source_, kDeepest);
         if (!root.is_object()) fail({}, "expected an object with the keys lesson and steps");
         known(root, {}, {"normalscope", "lesson", "about", "steps"});
         if (const auto it = root.find("normalscope"); it != root.end() && *it != 1)
@@ -230,8 +215,8 @@ bool ends_in_json(const std::string& file) {
 
 // Whether the outermost object has the key "lesson"; all else is left to whoever reads it in earnest.
 bool is_lesson_text(std::string_view text) {
-    const Json root = Json::parse(text, [](int depth, Json::parse_event_t, Json&) { return depth <= 1; }, false);
-    return root.is_object() && root.contains("lesson");
+    const std::optional<Json> root = read_json_or_nothing(text, kDeepest);
+    return root && root->is_object() && root->contains("lesson");
 }
 
 }  // namespace

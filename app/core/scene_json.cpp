@@ -3,10 +3,9 @@
 #include "core/error.h"
 #include "core/formula/formula.h"
 #include "core/formula/parse.h"
+#include "core/json_reading.h"
 #include "core/json_text.h"
 #include "core/scene_fields.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -343,42 +342,17 @@ Scene scene_of(Json root, const std::string& prefix) {
     return scene;
 }
 
-// nlohmann's text without its "[json.exception…]" head and its line breaks.
-std::string reason(const std::exception& e) {
-    std::string text = e.what();
-    if (const auto end = text.find("] "); text.starts_with('[') && end != std::string::npos) text.erase(0, end + 2);
-    std::ranges::replace(text, '\n', ' ');
-    return text;
-}
-
-// A scene is at most seven levels deep; much deeper JSON would overflow the stack of whoever writes it into an error.
-constexpr int kDeepest = 32;
-
-bool not_too_deep(int depth, Json::parse_event_t, Json&) {
-    if (depth > kDeepest)
-        throw InputError("nested more than " + std::to_string(kDeepest) + " levels deep, which no scene is");
-    return true;
-}
-
-Json parsed(std::string_view text, const std::string& prefix) {
-    try {
-        return Json::parse(text, not_too_deep);
-    } catch (const InputError& e) {
-        throw InputError(prefix + e.what());
-    } catch (const Json::exception& e) {
-        throw InputError(prefix + "not valid JSON: " + reason(e));
-    }
-}
+constexpr int kDeepest = 32;  // a scene is at most seven levels deep
 
 // ---- --set ---------------------------------------------------------------------------------------------------
 
 // What is no JSON is a bare word, and so a string.
 Json setting_value(const std::string& text, const std::string& path) {
     try {
-        const Json value = Json::parse(text, not_too_deep, false);
-        if (!value.is_discarded()) return value;
+        if (json_depth(text) > kDeepest) throw InputError("nested too deep for a scene");
+        if (std::optional<Json> value = read_json_or_nothing(text, kDeepest)) return *std::move(value);
         if (text.starts_with('[') || text.starts_with('{') || text.starts_with('"'))
-            throw InputError(text + " is not valid JSON; a bracket or a quote is missing");
+            throw InputError(text.substr(0, 60) + " is not valid JSON; a bracket or a quote is missing");
         return text;  // a bare word
     } catch (const InputError& e) {
         throw InputError("--set " + path + ": " + e.what());
@@ -424,8 +398,8 @@ Json& member(Json& object, const std::string& path, const std::string& key) {
 std::string scene_text(const Scene& scene) { return json_text(json_of_scene(scene)); }
 
 Scene parse_scene(std::string_view text, std::string_view source) {
-    const std::string prefix = std::string(source) + ": ";
-    return scene_of(parsed(text, prefix), prefix);
+    const std::string name(source);
+    return scene_of(read_json(text, name, kDeepest), name + ": ");
 }
 
 Scene with_setting(const Scene& scene, std::string_view assignment) {

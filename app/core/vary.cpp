@@ -1,8 +1,7 @@
 #include "core/vary.h"
 
 #include "core/error.h"
-
-#include <nlohmann/json.hpp>
+#include "core/json_reading.h"
 
 #include <charconv>
 #include <cmath>
@@ -13,7 +12,7 @@ namespace normalscope {
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostValues = 100'000;
 
@@ -40,13 +39,13 @@ bool is_of_numbers(const Json& j, int depth = 0) {
     return !j.empty();
 }
 
-bool not_too_deep(int depth, Json::parse_event_t, Json&) { return depth < 8; }
+constexpr int kDeepest = 8;
 
 Json end_of_range(std::string_view text, std::string_view whole) {
-    const Json value = Json::parse(text, not_too_deep, false);
-    if (value.is_discarded() || !is_of_numbers(value))
+    const std::optional<Json> value = read_json_or_nothing(text, kDeepest);
+    if (!value || !is_of_numbers(*value))
         fail(whole, "'" + std::string(text.substr(0, 40)) + "' is neither a number nor an array of numbers");
-    return value;
+    return *value;
 }
 
 bool same_shape(const Json& a, const Json& b) {
