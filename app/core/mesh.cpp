@@ -1,11 +1,15 @@
 #include "core/mesh.h"
 
 #include <glm/common.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <span>
+#include <utility>
 
 namespace normalscope {
 
@@ -78,6 +82,88 @@ std::vector<glm::dvec3> area_weighted_normals(const std::vector<glm::dvec3>& pos
     }
     for (glm::dvec3& n : normals) n = unit_or_zero(n);
     return normals;
+}
+
+namespace {
+
+/// The corners that meet at each vertex, 3 · triangle + which: those of vertex v from starts[v] on.
+struct CornersAtVertices {
+    explicit CornersAtVertices(const Mesh& mesh)
+        : starts(mesh.positions.size() + 1, 0), corners(3 * mesh.triangles.size()) {
+        for (const glm::uvec3& t : mesh.triangles)
+            for (int k = 0; k < 3; ++k) ++starts[t[k] + 1];
+        std::partial_sum(starts.begin(), starts.end(), starts.begin());
+        std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
+        for (std::uint32_t i = 0; i < corners.size(); ++i)
+            corners[next[mesh.triangles[i / 3][static_cast<int>(i % 3)]]++] = i;
+    }
+    std::span<const std::uint32_t> at(std::size_t vertex) const {
+        return std::span(corners).subspan(starts[vertex], starts[vertex + 1] - starts[vertex]);
+    }
+
+    std::vector<std::uint32_t> starts, corners;
+};
+
+// Which of a vertex' faces hang together across edges that are no creases: each gets the number of the first of its part.
+std::vector<std::size_t> parts_around(const Mesh& mesh, std::span<const std::uint32_t> corners,
+                                      std::span<const glm::dvec3> face_normals, double least_cosine) {
+    struct Side {
+        std::uint32_t other_end;
+        std::size_t face;  // of the vertex' faces
+    };
+    std::vector<Side> sides;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::uvec3& t = mesh.triangles[corners[i] / 3];
+        const auto k = static_cast<int>(corners[i] % 3);
+        sides.push_back({t[(k + 1) % 3], i});
+        sides.push_back({t[(k + 2) % 3], i});
+    }
+    std::ranges::sort(sides, {}, [](const Side& s) { return std::pair(s.other_end, s.face); });
+    std::vector<std::size_t> part(corners.size());
+    std::iota(part.begin(), part.end(), std::size_t{0});
+    const auto first_of = [&](std::size_t i) {
+        while (part[i] != i) i = part[i] = part[part[i]];
+        return i;
+    };
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+        if (sides[i].other_end != sides[i - 1].other_end) continue;
+        const std::size_t a = sides[i - 1].face, b = sides[i].face;
+        if (glm::dot(face_normals[corners[a] / 3], face_normals[corners[b] / 3]) < least_cosine) continue;
+        const std::size_t x = first_of(a), y = first_of(b);
+        part[std::max(x, y)] = std::min(x, y);
+    }
+    for (std::size_t i = 0; i < part.size(); ++i) part[i] = first_of(i);
+    return part;
+}
+
+}  // namespace
+
+void split_at_creases(Mesh& mesh) {
+    const double least_cosine = std::cos(glm::radians(kCreaseDegrees)),
+                 half = std::cos(glm::radians(kCreaseDegrees / 2));
+    std::vector<glm::dvec3> face_normals(mesh.triangles.size());
+    for (std::size_t i = 0; i < face_normals.size(); ++i)
+        face_normals[i] = unit_or_zero(area_vector(mesh, mesh.triangles[i]));
+    const CornersAtVertices around(mesh);
+    for (std::size_t v = 0, count = mesh.positions.size(); v < count; ++v) {
+        const std::span<const std::uint32_t> corners = around.at(v);
+        // Where all lean less than half as much from their mean no two are apart: so it is nearly everywhere.
+        glm::dvec3 sum(0.0);
+        for (const std::uint32_t c : corners) sum += face_normals[c / 3];
+        const glm::dvec3 mean = unit_or_zero(sum);
+        if (std::ranges::all_of(corners, [&](std::uint32_t c) { return glm::dot(face_normals[c / 3], mean) >= half; }))
+            continue;
+        const std::vector<std::size_t> parts = parts_around(mesh, corners, face_normals, least_cosine);
+        std::vector<std::uint32_t> vertex_of_part(corners.size(), static_cast<std::uint32_t>(v));
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            if (parts[i] == 0) continue;
+            if (parts[i] == i) {
+                vertex_of_part[i] = static_cast<std::uint32_t>(mesh.positions.size());
+                mesh.positions.push_back(glm::dvec3(mesh.positions[v]));
+            }
+            mesh.triangles[corners[i] / 3][static_cast<int>(corners[i] % 3)] = vertex_of_part[parts[i]];
+        }
+    }
 }
 
 std::vector<Site> face_sites(const Mesh& mesh) {

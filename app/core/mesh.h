@@ -43,6 +43,13 @@ struct Site {
 std::vector<glm::dvec3> area_weighted_normals(const std::vector<glm::dvec3>& positions,
                                               const std::vector<glm::uvec3>& triangles);
 
+/// Where two faces meet at more than this they meet in an edge, and not in what stands for a smooth surface.
+inline constexpr double kCreaseDegrees = 60.0;
+
+/// Gives each side of a crease vertices of its own, so that area_weighted_normals leaves it sharp. Faces around a vertex
+/// stay together where one is reached from the other across edges that are no creases. Leaves `normals` alone.
+void split_at_creases(Mesh& mesh);
+
 /// One site a face: the area centroid and the face's unit normal (of its triangles' area vectors); zero-area faces are left out.
 std::vector<Site> face_sites(const Mesh& mesh);
 /// One site a vertex; vertices without a normal are left out.

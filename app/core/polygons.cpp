@@ -251,8 +251,13 @@ Mesh mesh_of(Polygons polygons, const std::string& file) {
     normalise(mesh.normals);
     const auto missing = static_cast<std::size_t>(std::ranges::count(mesh.normals, glm::dvec3(0.0)));
     if (!kinds.any_normal) {
+        mesh.closed = closed.get();
+        const std::size_t smooth = mesh.positions.size();
+        split_at_creases(mesh);
         mesh.normals = area_weighted_normals(mesh.positions, mesh.triangles);
         mesh.note = short_name + " has no " + std::string(polygons.lacking) + ": computed, area-weighted";
+        if (mesh.positions.size() > smooth)
+            mesh.note += ", sharp where faces meet at more than " + std::to_string(std::lround(kCreaseDegrees)) + "°";
     } else if (missing > 0) {
         const std::vector<glm::dvec3> computed = area_weighted_normals(mesh.positions, mesh.triangles);
         for (std::size_t i = 0; i < computed.size(); ++i)
@@ -261,7 +266,7 @@ Mesh mesh_of(Polygons polygons, const std::string& file) {
     }
     if (flat > 0)
         mesh.note += (mesh.note.empty() ? short_name + ": " : "; ") + counted(flat, "face") + " without area left out";
-    mesh.closed = closed.get();
+    if (closed.valid()) mesh.closed = closed.get();
     return mesh;
 }
 

@@ -2,17 +2,22 @@
 
 #include "core/error.h"
 #include "core/file.h"
+#include "core/shapes.h"
 #include "temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <map>
 
 namespace normalscope {
 namespace {
@@ -333,15 +338,53 @@ std::string binary_stl(std::uint32_t claimed, float first = 0.0f) {
     return bytes;
 }
 
-TEST_F(MeshFile, StlIsWeldedAndSmooth) {
+TEST_F(MeshFile, StlIsWeldedAndSharpAtCreases) {
     for (const std::string& bytes : {ascii_stl(), binary_stl(4)}) {
         const Mesh mesh = load("a.STL", bytes);
         expect_sound(mesh);
-        EXPECT_EQ(mesh.positions.size(), 4u);
+        EXPECT_TRUE(mesh.closed);
+        EXPECT_EQ(mesh.positions.size(), 12u);
         EXPECT_EQ(mesh.triangles.size(), 4u);
-        EXPECT_EQ(mesh.note, "a.STL has no vertex normals: computed, area-weighted");
-        EXPECT_LT(glm::length(mesh.normals[0] + glm::normalize(glm::dvec3(1))),
-                  1e-12);  // the three faces at the origin
+        EXPECT_EQ(mesh.note,
+                  "a.STL has no vertex normals: computed, area-weighted, sharp where faces meet at more than 60°");
+        for (const glm::uvec3& t : mesh.triangles)
+            for (int k = 0; k < 3; ++k) {
+                const glm::dvec3 n =
+                    glm::cross(mesh.positions[t.y] - mesh.positions[t.x], mesh.positions[t.z] - mesh.positions[t.x]);
+                EXPECT_LT(glm::length(mesh.normals[t[k]] - glm::normalize(n)), 1e-12);
+            }
+    }
+}
+
+// Without its normals a shape is smooth where it was, and sharp where it was: as many vertices, alike in their normals.
+TEST_F(MeshFile, CreasesAreThoseOfTheShapes) {
+    for (const Shape shape : {Shape::Sphere, Shape::Cube, Shape::Cylinder, Shape::Torus, Shape::Dodecahedron}) {
+        const Mesh exact = make_shape({shape, 24});
+        std::map<std::array<double, 3>, std::size_t> welded;
+        std::string obj;
+        std::vector<std::size_t> index;
+        for (const glm::dvec3& p : exact.positions) {
+            const std::array<double, 3> key{std::round(1e9 * p.x) + 0.0, std::round(1e9 * p.y) + 0.0,
+                                            std::round(1e9 * p.z) + 0.0};
+            const auto [at, is_new] = welded.emplace(key, welded.size() + 1);
+            if (is_new) {
+                std::array<char, 100> line{};
+                std::snprintf(line.data(), line.size(), "v %.17g %.17g %.17g\n", p.x, p.y, p.z);
+                obj += line.data();
+            }
+            index.push_back(at->second);
+        }
+        for (const glm::uvec3& t : exact.triangles)
+            obj += "f " + std::to_string(index[t.x]) + " " + std::to_string(index[t.y]) + " " +
+                   std::to_string(index[t.z]) + "\n";
+        const Mesh mesh = load("s.obj", obj);
+        expect_sound(mesh);
+        EXPECT_TRUE(mesh.closed);
+        ASSERT_EQ(mesh.triangles.size(), exact.triangles.size());
+        for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+            for (int k = 0; k < 3; ++k)
+                EXPECT_GT(glm::dot(mesh.normals[mesh.triangles[i][k]], exact.normals[exact.triangles[i][k]]), 0.99)
+                    << static_cast<int>(shape) << " triangle " << i;
     }
 }
 
