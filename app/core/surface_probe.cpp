@@ -47,7 +47,20 @@ std::optional<Probe> nearest_on(const ImplicitSurface& surface, const Mesh& mesh
 
 }  // namespace
 
-Probe probe_on(const ImplicitSurface& surface, Point<Object> p, const std::optional<Borrow>& borrow) {
+namespace {
+
+// Newton's steps come as near to 0 as 1e-161 where 0 is meant, and never there.
+Point<Object> tidied(const ImplicitSurface& surface, Point<Object> p) {
+    Point<Object> tidy = p;
+    for (glm::length_t i = 0; i < 3; ++i)
+        if (std::abs(p.xyz[i]) < 1e-15 * surface.source().bound) tidy.xyz[i] = 0.0;
+    return std::abs(surface.at(tidy).value) <= std::abs(surface.at(p).value) ? tidy : p;
+}
+
+}  // namespace
+
+Probe probe_on(const ImplicitSurface& surface, Point<Object> anywhere, const std::optional<Borrow>& borrow) {
+    const Point<Object> p = tidied(surface, anywhere);
     if (!is_singular(surface, p)) return probe_with(p, {surface.at(p).gradient});
     if (borrow)
         if (const auto neighbour = lender(surface, p, *borrow)) {

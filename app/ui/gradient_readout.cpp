@@ -16,7 +16,8 @@ namespace normalscope {
 namespace {
 
 std::string off_by(const std::optional<double>& degrees) {
-    return degrees ? fixed_unless_small(*degrees, *degrees == 0.0) + "°" : fixed(std::nullopt);
+    constexpr double kRounding = 1e-12;  // of unit vectors' components, in degrees
+    return degrees ? fixed_unless_small(*degrees, *degrees < kRounding) + "°" : fixed(std::nullopt);
 }
 
 struct Columns {
