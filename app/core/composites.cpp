@@ -98,6 +98,15 @@ std::vector<EntryAlgebra> stack_algebra(std::span<const StackEntry> stack) {
     return result;
 }
 
+bool commute(std::span<const StackEntry> stack) {
+    std::vector<glm::dmat3> factors;
+    for (const StackEntry& entry : stack) factors.emplace_back(matrix(entry));
+    for (std::size_t i = 0; i < factors.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (!same(factors[i] * factors[k], factors[k] * factors[i])) return false;
+    return true;
+}
+
 std::vector<OrderOfInverses> orders_of_inverses(std::span<const StackEntry> stack, const std::optional<Probe>& probe) {
     const int factors = static_cast<int>(stack.size());
     int rank = 3;

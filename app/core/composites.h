@@ -36,6 +36,8 @@ struct OrderOfInverses {
     std::optional<double> degrees_off;  ///< of the probe's normal, from the true one
     bool is_right = false;              ///< the true matrix, but for rounding
 };
+/// Whether what the entries do to vectors is the same in every order, but for rounding.
+bool commute(std::span<const StackEntry> stack);
 /// What comes of taking the inverses or the transposes in the wrong order, or of leaving one of them out.
 std::vector<OrderOfInverses> orders_of_inverses(std::span<const StackEntry> stack, const std::optional<Probe>& probe);
 

@@ -84,6 +84,13 @@ bool same_probe(const std::optional<Probe>& a, const std::optional<Probe>& b) {
     return a.has_value() == b.has_value() && (!a || (a->point == b->point && a->normal == b->normal));
 }
 
+void too_few_for_an_order(const Look& look, Scene& scene) {
+    wrapped(look, look.dim, "It takes two entries that act to tell the orders apart.");
+    if (scene.stack.size() > 1 || !ImGui::Button("Add a rotation")) return;
+    scene.stack.push_back(Rotate{{0, 0, 1}, 30.0});
+    scene.stack_position.reset();
+}
+
 }  // namespace
 
 void wrong_orders(const Look& look, Scene& scene, StackTab& tab, const Frame& frame) {
@@ -94,8 +101,14 @@ void wrong_orders(const Look& look, Scene& scene, StackTab& tab, const Frame& fr
         tab.orders_of = stack;
         tab.orders_at = probe;
         tab.orders = orders_of_inverses(stack, probe);
+        tab.orders_commute = commute(stack);
     }
+    if (stack.size() < 2) return too_few_for_an_order(look, scene);
     wrapped(look, look.dim, "For two entries, M = AB. At the right, how far off each is at the probe.");
+    if (tab.orders_commute)
+        remark(look, look.text,
+               stack.size() == 2 ? "The two entries commute, AB = BA: here no order is wrong."
+                                 : "The entries commute: here no order is wrong.");
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px(6), look.px(3)));
     for (std::size_t i = 0; i < tab.orders.size(); ++i) order_line(look, scene, tab.orders[i], i);
     ImGui::PopStyleVar();

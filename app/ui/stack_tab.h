@@ -27,6 +27,7 @@ struct StackTab {
     std::optional<std::vector<StackEntry>> orders_of;
     std::optional<Probe> orders_at;
     std::vector<OrderOfInverses> orders;
+    bool orders_commute = false;
 
     std::optional<glm::dmat3> decomposition_of;
     int decomposition_rank = 3;

@@ -109,6 +109,16 @@ TEST(Explanation, OnlyTheOriginalOrderIsRight) {
     }
 }
 
+TEST(Explanation, EntriesThatCommute) {
+    const auto is_said = [](std::vector<StackEntry> stack) { return commute(stack); };
+    EXPECT_TRUE(is_said({Scale{{0.5, 2, 1}}}));
+    EXPECT_TRUE(is_said({Scale{{0.5, 2, 1}}, Translate{{1, 2, 3}}, Scale{{1, 3, -1}}}));
+    EXPECT_TRUE(is_said({Rotate{{1, 2, 3}, 30}, Scale{{2, 2, 2}}, Rotate{{1, 2, 3}, 50}}));
+    EXPECT_FALSE(is_said({Scale{{0.5, 2, 1}}, Rotate{{0, 0, 1}, 30}}));
+    // The same backwards, and yet not in any order.
+    EXPECT_FALSE(is_said({Shear{.xy = 0.7}, Scale{{0.5, 2, 1}}, Shear{.xy = 0.7}}));
+}
+
 TEST(Explanation, ReflectionsAreNamed) {
     const Decomposition mirror = explained({Scale{{1, -2, 1}}}).decomposition;
     EXPECT_TRUE(mirror.reflects);
