@@ -16,6 +16,7 @@ namespace normalscope {
 namespace {
 
 constexpr const char* kPayload = "stack entry";
+constexpr Scale kRunningExample{{0.5, 2.0, 1.0}};
 constexpr std::size_t kFewEntries = 4;  ///< up to which all are open at first
 
 // What is to be done to the stack once it is no longer being walked.
@@ -60,20 +61,32 @@ void add_menu(const Look& look, Scene& scene, StackMemory& memory) {
     ImGui::EndPopup();
 }
 
+// Whether M is that of the running example, however it is made.
+bool is_running_example(const Scene& scene) {
+    try {
+        return world_from_object(scene).matrix() == matrix(kRunningExample);
+    } catch (const InputError&) {  // what_m_is says it
+        return false;
+    }
+}
+
 // At the right of the heading.
 void buttons(const Look& look, Scene& scene, StackMemory& memory) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(9), look.px(3)));
     float width = 2 * look.px(6);
     for (const char* label : {"x ½, y 2", "Add…", "Reset"}) width += ImGui::CalcTextSize(label).x + 2 * look.px(9);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-    ImGui::PushStyleColor(ImGuiCol_Button, look.accent);
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(look.accent, 0.85f));
-    ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(look.accent, 0.7f));
-    ImGui::PushStyleColor(ImGuiCol_Text, look.on_accent);
+    const bool down = is_running_example(scene);
+    if (down) {
+        ImGui::PushStyleColor(ImGuiCol_Button, look.accent);
+        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(look.accent, 0.85f));
+        ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(look.accent, 0.7f));
+        ImGui::PushStyleColor(ImGuiCol_Text, look.on_accent);
+    }
     const bool preset = ImGui::Button("x ½, y 2");
-    ImGui::PopStyleColor(4);
+    if (down) ImGui::PopStyleColor(4);
     tip(look, "The running example: x halved, y doubled, nothing else.");
-    if (preset) scene.stack = {Scale{{0.5, 2.0, 1.0}}};
+    if (preset) scene.stack = {kRunningExample};
     ImGui::SameLine(0, look.px(6));
     add_menu(look, scene, memory);
     ImGui::SameLine(0, look.px(6));
