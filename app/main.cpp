@@ -4,6 +4,7 @@
 #include "cli/options.h"
 #include "compare.h"
 #include "core/error.h"
+#include "core/exercise.h"
 #include "core/explanation.h"
 #include "core/file.h"
 #include "core/lesson.h"
@@ -62,8 +63,9 @@ int run(const HandoutCommand& command) {
 int run(const AnimateCommand& command) { return animate(command); }
 
 int run(const ViewCommand& command) {
-    run_viewer(scene_for(command.file.value_or(std::string(kDefaultScene)), command.settings),
-               command.file.value_or(""));
+    const std::string file = command.file.value_or("");
+    const bool nothing = file.empty() || exercises_name(file);  // exercises are left for the scene before them
+    run_viewer(scene_for(nothing ? std::string(kDefaultScene) : file, command.settings), file);
     return 0;
 }
 

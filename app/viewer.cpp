@@ -103,8 +103,12 @@ private:
     void paste();
     /// What the user has finished doing becomes one step to undo.
     void commit_if_finished() {
-        if (!pointer_.busy() && !gui_.editing()) history_.commit(scene_);
+        if (!pointer_.busy() && !gui_.editing()) commit();
     }
+    void commit() {
+        if (!gui_.interface.exercising()) history_.commit(scene_);
+    }
+    void undo(bool redo);
     template <class Handler>
     static void on_event(GLFWwindow* window, Handler&& handler) {
         auto& viewer = *static_cast<Viewer*>(glfwGetWindowUserPointer(window));
@@ -126,7 +130,7 @@ private:
 
     Scene scene_;
     History history_;
-    std::string file_;
+    std::string file_, file_before_exercises_;
     std::optional<Frame> frame_;
     Pointer pointer_;
     glm::dvec2 pointer_at_{0.0};
@@ -154,13 +158,18 @@ private:
     std::optional<ErrorStatistics> errors_;
 };
 
-Viewer::Viewer(Scene scene, const std::string& file) : scene_(std::move(scene)), history_(scene_), file_(file) {
+Viewer::Viewer(Scene scene, const std::string& file) : scene_(std::move(scene)), history_(scene_) {
     gui_.interface.lesson_progress() = settings_.lessons;
     window_.choose_monitor(settings_.monitor);
     connect();
-    set_title();
     // The scene is there already; lessons and exercises are more than one.
-    if (!file.empty() && is_more_than_a_scene(file)) begin_opening(file);
+    if (!file.empty() && is_more_than_a_scene(file)) {
+        begin_opening(file);
+        finish_opening();  // mostly done: then nothing else is seen first
+    } else {
+        file_ = file;
+    }
+    set_title();
 }
 
 Viewer::~Viewer() {
@@ -230,7 +239,7 @@ void Viewer::connect() {
             if (action == GLFW_RELEASE)
                 v.pointer_.release(v.scene_, *v.frame_, v.scale());
             else if (!v.gui_.wants_mouse()) {
-                v.history_.commit(v.scene_);
+                v.commit();
                 v.pointer_.press(v.scene_, *v.frame_,
                                  {.left = button == GLFW_MOUSE_BUTTON_LEFT, .shift = (modifiers & GLFW_MOD_SHIFT) != 0},
                                  v.scale());
@@ -285,11 +294,11 @@ void Viewer::on_key(int key, int modifiers) {
         if (!control || !leaves_a_field(key)) return;
         gui_.finish_typing();
     }
-    history_.commit(scene_);
+    commit();
     if (control) {
         switch (key) {
-            case GLFW_KEY_Z: return show(shift ? history_.redo() : history_.undo());
-            case GLFW_KEY_Y: return show(history_.redo());
+            case GLFW_KEY_Z: return undo(shift);
+            case GLFW_KEY_Y: return undo(true);
             case GLFW_KEY_O: return gui_.interface.ask_open(scene_);
             case GLFW_KEY_S: return gui_.interface.ask_save_scene();
             case GLFW_KEY_F: return gui_.interface.edit_formula(scene_);
@@ -371,9 +380,14 @@ Frame Viewer::frame_now(bool handles) {
 
 Requests Viewer::lay_out() {
     Requests requests;
+    const bool exercising = gui_.interface.exercising();
     gui_.layout(window_.framebuffer_size(), shown_scene().theme, scale(), [&] {
         requests = gui_.interface.draw(scene_, *frame_, {history_.can_undo(), history_.can_redo(), errors_, file_});
     });
+    if (exercising && !gui_.interface.exercising()) {
+        file_ = file_before_exercises_;
+        set_title();
+    }
     return requests;
 }
 
@@ -434,11 +448,8 @@ bool Viewer::redraw() {
 void Viewer::obey(const Requests& requests) {
     if (requests.make_room)
         if (const auto ball = surface_ball()) scene_.camera = with_room_for(scene_.camera, ball->centre, ball->radius);
-    if (requests.step) history_.commit(scene_);
-    if (requests.undo || requests.redo) {
-        history_.commit(scene_);
-        show(requests.undo ? history_.undo() : history_.redo());
-    }
+    if (requests.step) commit();
+    if (requests.undo || requests.redo) undo(requests.redo);
     if (requests.full_screen) window_.toggle_full_screen();
     if (requests.end_presenting) present(false);
     if (requests.copy_link) copy_link();
@@ -458,6 +469,12 @@ void Viewer::obey(const Requests& requests) {
     } catch (const Error& e) {
         gui_.interface.show_error(e.what());
     }
+}
+
+void Viewer::undo(bool redo) {
+    if (gui_.interface.exercising()) return;
+    commit();
+    show(redo ? history_.redo() : history_.undo());
 }
 
 void Viewer::copy_link() {
@@ -484,7 +501,9 @@ void Viewer::paste() {
 void Viewer::begin_opening(const std::string& file) {
     if (opening_.valid()) return gui_.interface.show_note("Still reading a file");
     // In another thread: the window stays alive while a large mesh is read.
-    opening_ = std::async(std::launch::async, [file, scene = scene_] { return open_file(file, scene); });
+    opening_ = std::async(std::launch::async, [file, scene = gui_.interface.scene_before_exercises(scene_)] {
+        return open_file(file, scene);
+    });
     if (opening_.wait_for(std::chrono::milliseconds(150)) != std::future_status::ready)
         gui_.interface.show_note("Reading " + short_name(file) + " \u2026");
 }
@@ -494,8 +513,9 @@ void Viewer::finish_opening() {
     frames_wanted_ = kFramesAfterEvent;
     try {
         Opened opened = opening_.get();
-        history_.commit(scene_);
+        commit();
         if (opened.exercises) {
+            if (!gui_.interface.exercising()) file_before_exercises_ = file_;
             file_ = opened.file;
             gui_.interface.start_exercises(*opened.exercises, scene_);
             return set_title();
@@ -506,6 +526,7 @@ void Viewer::finish_opening() {
             gui_.interface.open_lesson(std::move(opened.lesson), scene_, opened.step);
             return set_title();
         }
+        gui_.interface.end_exercises();
         opened.scene.theme = scene_.theme;  // the room's light does not change with the scene
         scene_ = std::move(opened.scene);
         surfaces_ = std::move(opened.surfaces);

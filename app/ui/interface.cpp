@@ -225,7 +225,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
         if (s.lecture.presenting)
             requests.end_presenting = true;
         else
-            s.lecture.leave();
+            s.lecture.leave(scene);
     }
     if (scene.stack != before) undo_overflow(scene, before, s.messages);
     s.derivation.draw(s.look, scene, frame, derivation_shown() && !s.lecture.predict.running(), s.look.px(kTabsHeight));
@@ -277,6 +277,11 @@ bool Interface::press(LectureKey key, Scene& scene, const Frame* frame) {
     return state_->lecture.press(key, scene, frame);
 }
 void Interface::start_exercises(std::uint64_t seed, Scene& scene) { state_->lecture.start_exercises(seed, scene); }
+bool Interface::exercising() const { return state_->lecture.predict.running(); }
+Scene Interface::scene_before_exercises(const Scene& scene) const {
+    return state_->lecture.predict.scene_before(scene);
+}
+void Interface::end_exercises() { state_->lecture.predict.stop(); }
 void Interface::add_to(Frame& frame, const Scene& scene, double pixel_scale) const {
     state_->lecture.predict.add_to(frame, scene, pixel_scale);
 }

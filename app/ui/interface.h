@@ -97,6 +97,12 @@ public:
     bool press(LectureKey key, Scene& scene, const Frame* frame);
     /// "Where does this normal go?": endless exercises from a seed.
     void start_exercises(std::uint64_t seed, Scene& scene);
+    /// Their scenes come and go, and are nothing to undo.
+    bool exercising() const;
+    /// The scene that they will give back; the scene itself where there are none.
+    Scene scene_before_exercises(const Scene& scene) const;
+    /// Where another scene takes their place.
+    void end_exercises();
     /// What the interface itself draws into the picture: the arrow that is dragged in an exercise. A press on that takes
     /// what the pointer does from then on, until the release.
     void add_to(Frame& frame, const Scene& scene, double pixel_scale) const;

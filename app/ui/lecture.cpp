@@ -26,9 +26,9 @@ void Lecture::start(std::shared_ptr<const Lesson> lesson, const Scene& scene, st
     go_to(player.number(), scene);
 }
 
-void Lecture::leave() {
+void Lecture::leave(Scene& scene) {
     player.stop();
-    predict.stop();
+    predict.leave(scene);
     tab_.reset();
     if (std::exchange(opened_tab_, false)) tab_ = "";
 }
@@ -102,7 +102,8 @@ bool Lecture::press_in_exercise(LectureKey key, Scene& scene, const Frame* frame
 }
 
 void Lecture::start_exercises(std::uint64_t seed, Scene& scene) {
-    leave();
+    if (player.running()) player.arrive(scene);  // what is gone back to is a step, nothing halfway
+    leave(scene);
     predict.start(seed, scene);
 }
 
@@ -154,7 +155,7 @@ void Lecture::draw(const Look& look, Scene& scene, ImVec2 strip_low, ImVec2 stri
     if (requests.next) press_in_lesson(LectureKey::Next, scene);
     if (requests.previous) press_in_lesson(LectureKey::Previous, scene);
     if (requests.again) press_in_lesson(LectureKey::Again, scene);
-    if (requests.close) leave();
+    if (requests.close) leave(scene);
 }
 
 void Lecture::draw_screen(const Look& look, bool pointer_rests) const {

@@ -23,7 +23,8 @@ public:
     std::map<std::string, std::size_t> progress;  ///< the step at which each lesson was left
 
     void start(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::optional<std::size_t> step);
-    void leave();
+    /// A lesson's step stays, to be played with; exercises give back the scene that was there before them.
+    void leave(Scene& scene);
     /// Pictures are made of it, one by one: it moves by itself no more.
     bool recorded = false;
 

@@ -14,10 +14,23 @@ constexpr const char* kUnmoved =
 }  // namespace
 
 void Predict::start(std::uint64_t seed, Scene& scene) {
+    before_ = scene_before(scene);
     running_ = true;
     points_ = possible_ = 0;
     exercise_.seed = seed;
     begin(0, scene);
+}
+
+Scene Predict::scene_before(const Scene& scene) const {
+    if (!running_) return scene;
+    Scene before = before_;
+    before.theme = scene.theme;  // the room's light
+    return before;
+}
+
+void Predict::leave(Scene& scene) {
+    scene = scene_before(scene);
+    stop();
 }
 
 void Predict::begin(int number, Scene& scene) {
@@ -129,7 +142,7 @@ StripState Predict::state() const {
 }
 
 void Predict::obey(const StripRequests& requests, Scene& scene) {
-    if (requests.close) stop();
+    if (requests.close) return leave(scene);
     if (requests.choose) choose(*requests.choose, scene);
     if (!requests.action) return;
     if (answered())

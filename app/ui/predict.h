@@ -19,6 +19,10 @@ public:
     void start(std::uint64_t seed, Scene& scene);
     void stop() { running_ = false; }
     bool running() const { return running_; }
+    /// The scene before the exercises, whose own have been stripped of what would tell the answer; else the scene itself.
+    Scene scene_before(const Scene& scene) const;
+    /// Ends the exercises, and gives that scene back.
+    void leave(Scene& scene);
 
     /// The arrow that is to be dragged, in the picture.
     void add_to(Frame& frame, const Scene& scene, double pixel_scale) const;
@@ -50,6 +54,7 @@ private:
     void begin(int number, Scene& scene);
 
     bool running_ = false, dragging_ = false;
+    Scene before_;
     Exercise exercise_;
     GuessArrow guess_;
     bool moved_ = false, asked_unmoved_ = false;

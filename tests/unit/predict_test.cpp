@@ -33,5 +33,22 @@ TEST(Predict, AnArrowThatNobodyMovedIsJudgedTheSecondTime) {
     EXPECT_TRUE(predict.answered());
 }
 
+TEST(Predict, GivesBackTheSceneThatWasThereBefore) {
+    Scene scene;
+    scene.arrows.limit = 17;
+    const Scene before = scene;
+    Predict predict;
+    EXPECT_EQ(predict.scene_before(scene), before);
+    predict.start(42, scene);
+    EXPECT_NE(scene, before);
+    predict.start(43, scene);
+    scene.theme = Theme::Dark;
+    predict.leave(scene);
+    EXPECT_FALSE(predict.running());
+    EXPECT_EQ(scene.theme, Theme::Dark);
+    scene.theme = before.theme;
+    EXPECT_EQ(scene, before);
+}
+
 }  // namespace
 }  // namespace normalscope
