@@ -203,7 +203,9 @@ bool Viewer::to_lecture(int key, int action, int modifiers) {
     if (!meant || action == GLFW_RELEASE || (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_ALT)) != 0 || pointer_.busy() ||
         !gui_.interface.keys_are_free())
         return false;
-    history_.commit(scene_);
+    // A key that is held turns an exercise's arrow on and on; it does not run through a lesson and into the next one.
+    if (action == GLFW_REPEAT && !gui_.interface.exercising()) return true;
+    commit();
     return gui_.interface.press(*meant, scene_, frame_ ? &*frame_ : nullptr);
 }
 

@@ -151,7 +151,10 @@ float draw_ways(const Look& look, const StripState& state, float right, StripReq
     if (state.count == 0) return x;
     x -= side + look.px(6);
     ImGui::SetCursorPos({x, look.px(4)});
-    if (icon_button(look, "##next", Icon::Right, "Next step (Page Down, right arrow)", state.number + 1 < state.count))
+    const bool more = state.number + 1 < state.count;
+    if (icon_button(look, "##next", Icon::Right,
+                    more ? "Next step (Page Down, right arrow)" : "Next lesson (Page Down, right arrow)",
+                    more || state.goes_on))
         requests.next = true;
     const std::string where = std::to_string(state.number + 1) + " of " + std::to_string(state.count);
     const float wide = ImGui::CalcTextSize(where.c_str()).x;

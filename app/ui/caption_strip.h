@@ -32,6 +32,7 @@ struct StripState {
     std::optional<std::size_t> answer;  ///< the choice made last
     bool strayed = false;               ///< the scene is no longer the step's
     bool closes = false;                ///< it can be left
+    bool goes_on = false;               ///< after the last step, too
     std::vector<StripAction> actions;
 };
 struct StripRequests {

@@ -34,6 +34,7 @@ void Lecture::leave(Scene& scene) {
 }
 
 void Lecture::go_to(std::size_t step, const Scene& scene) {
+    announces_next_ = false;
     player.go_to(step, scene);
     progress[player.lesson().name] = player.number();
     const std::string& tab = player.step().tab;
@@ -59,20 +60,36 @@ bool Lecture::press(LectureKey key, Scene& scene, const Frame* frame) {
 bool Lecture::press_in_lesson(LectureKey key, const Scene& scene) {
     switch (key) {
         case LectureKey::Next:
-        case LectureKey::Right:
-            if (player.has_next()) go_to(player.number() + 1, scene);
-            return true;
+        case LectureKey::Right: return go_on(scene);
         case LectureKey::Previous:
-        case LectureKey::Left:
-            if (player.has_previous()) go_to(player.number() - 1, scene);
-            return true;
+        case LectureKey::Left: return go_back(scene);
         case LectureKey::Again: go_to(player.number(), scene); return true;
         default: {
-            if (key < LectureKey::First || !player.step().question) return false;
+            if (key < LectureKey::First || !player.step().question || announces_next_) return false;
             player.choose(static_cast<std::size_t>(key) - static_cast<std::size_t>(LectureKey::First));
             return true;
         }
     }
+}
+
+bool Lecture::go_on(const Scene& scene) {
+    if (player.has_next())
+        go_to(player.number() + 1, scene);
+    else if (const auto next = next_lesson(); next && std::exchange(announces_next_, true))
+        wanted_lesson_ = next->name;
+    return true;
+}
+
+bool Lecture::go_back(const Scene& scene) {
+    if (!std::exchange(announces_next_, false) && player.has_previous()) go_to(player.number() - 1, scene);
+    return true;
+}
+
+std::optional<BuiltInLesson> Lecture::next_lesson() const {
+    const std::vector<BuiltInLesson>& lessons = built_in_lessons();
+    const auto it = std::ranges::find(lessons, player.lesson().name, &BuiltInLesson::name);
+    if (it == lessons.end() || it + 1 == lessons.end()) return std::nullopt;
+    return *(it + 1);
 }
 
 bool Lecture::press_in_exercise(LectureKey key, Scene& scene, const Frame* frame) {
@@ -138,6 +155,7 @@ void Lecture::draw(const Look& look, Scene& scene, ImVec2 strip_low, ImVec2 stri
         return;
     }
     StripState state;
+    const auto next = player.running() && !recorded && !player.has_next() ? next_lesson() : std::nullopt;
     if (player.running())
         state = {player.lesson().title,
                  player.number(),
@@ -145,8 +163,10 @@ void Lecture::draw(const Look& look, Scene& scene, ImVec2 strip_low, ImVec2 stri
                  player.answer(),
                  player.strayed(scene) && !recorded,
                  !recorded,
+                 next.has_value(),
                  {}};
-    const Speech& speech = player.running() ? all[player.number()] : all.front();
+    Speech speech = player.running() ? all[player.number()] : all.front();
+    if (next && announces_next_) speech = {"Next lesson: " + next->title + ". Once more opens it.", {}, {}, {}};
     const StripRequests requests = strip_.draw(look, speech, state, strip_low, strip_size);
     if (!player.running()) {
         return;

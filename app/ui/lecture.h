@@ -45,6 +45,8 @@ public:
     void draw_screen(const Look& look, bool pointer_rests) const;
     /// The tab that the step wants open, or an empty name for none, once after it has been reached.
     std::optional<std::string> wanted_tab();
+    /// The lesson that is gone on to, once after it has been asked for.
+    std::optional<std::string> wanted_lesson() { return std::exchange(wanted_lesson_, std::nullopt); }
 
     /// There are words below the picture.
     bool talks() const { return player.running() || predict.running() || presenting; }
@@ -56,13 +58,20 @@ private:
     void go_to(std::size_t step, const Scene& scene);
     bool press_in_lesson(LectureKey key, const Scene& scene);
     bool press_in_exercise(LectureKey key, Scene& scene, const Frame* frame);
+    bool go_on(const Scene& scene);
+    bool go_back(const Scene& scene);
+    /// The built-in lesson after the one that is gone through, if there is one.
+    std::optional<BuiltInLesson> next_lesson() const;
     std::vector<Speech> speeches() const;
 
     CaptionStrip strip_;
     std::optional<Theme> blank_;  ///< dark: black, light: white
     std::optional<std::string> tab_;
     bool opened_tab_ = false;  ///< so that it is closed again
-    Speech said_;              ///< of the scene, as of the last draw: in presenter mode without a lesson
+    /// After the last step the next lesson is announced, and opened only when asked once more: nobody slips into it.
+    bool announces_next_ = false;
+    std::optional<std::string> wanted_lesson_;
+    Speech said_;  ///< of the scene, as of the last draw: in presenter mode without a lesson
 };
 
 }  // namespace normalscope

@@ -93,6 +93,43 @@ class LessonsTest(WindowTest):
         self.assertEqual(window.scene()["arrows"]["show"], ["object"])
         self.assertNotEqual(window.scene()["stack"], before["stack"])
 
+    def test_exercises_give_the_scene_back(self):
+        window = self.window("exercises:42", *LIGHT)
+        window.wait_for_title("exercises:42")
+        window.key("Return")  # the arrow has not been moved: asked once, that is no answer
+        self.assertEqual(window.scene()["arrows"]["show"], ["object"])
+        window.key("Return")
+        self.assertEqual(window.scene()["arrows"]["show"], ["object", "naive", "inverse-transpose"])
+        window.key("ctrl+z", "Escape")
+        window.wait_for_title("Normalscope")
+        before = window.scene()
+        self.assertEqual(before["arrows"]["limit"], 12)
+        self.assertEqual(before["stack"], [{"scale": [0.5, 2, 1]}])
+        window.key("n", "ctrl+z")
+        self.assertEqual(window.scene(), before)
+
+    def test_a_mesh_opened_in_an_exercise_has_the_earlier_scene(self):
+        (self.folder / "a.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        window = self.window("exercises:42", *LIGHT)
+        window.wait_for_title("exercises:42")
+        window.open("a.obj")
+        window.wait_for_title("a.obj")
+        scene = window.scene()
+        self.assertEqual(scene["arrows"]["limit"], 12)
+        self.assertEqual(scene["surface"], {"mesh": "a.obj"})
+        window.key("Return", "Return")
+        self.assertEqual(window.scene(), scene)
+        window.key("ctrl+z")
+        self.assertEqual(window.scene()["surface"]["shape"], "sphere")
+
+    def test_after_a_lesson_the_next(self):
+        window = self.window("3-when-naive-is-right#7")
+        window.wait_for_title("3-when-naive-is-right")
+        window.key("Next")
+        self.assertTrue(window.title().startswith("3-when-naive-is-right"))
+        window.key("Next")
+        window.wait_for_title("4-derivation")
+
 
 if __name__ == "__main__":
     unittest.main()
