@@ -267,6 +267,7 @@ bool Interface::typing_formula() const { return state_->panel.formula.typing(); 
 bool Interface::playing() const { return state_->stack.player.playing || state_->lecture.moving(); }
 
 void Interface::open_lesson(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::optional<std::size_t> step) {
+    state_->side.open.reset();  // the lesson opens what it wants
     state_->lecture.start(std::move(lesson), scene, step);
 }
 void Interface::record_lesson(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::size_t step) {
