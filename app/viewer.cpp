@@ -42,6 +42,12 @@ constexpr int kSamples = 4;
 // Dear ImGui settles over a few frames after an event: a hovered button lights up in the next one.
 constexpr int kFramesAfterEvent = 3;
 
+// What an exercise asks must stay what it has asked.
+bool edits_the_object(int key, bool control) {
+    constexpr std::array kKeys{GLFW_KEY_C, GLFW_KEY_E, GLFW_KEY_G, GLFW_KEY_I, GLFW_KEY_N, GLFW_KEY_R, GLFW_KEY_V};
+    return control ? key == GLFW_KEY_F : std::ranges::find(kKeys, key) != kKeys.end();
+}
+
 // With Ctrl; what a field knows itself, such as Ctrl+Z, is meant for its text.
 bool leaves_a_field(int key) {
     constexpr std::array kKeys{GLFW_KEY_F, GLFW_KEY_L, GLFW_KEY_O, GLFW_KEY_P, GLFW_KEY_Q, GLFW_KEY_S};
@@ -296,6 +302,7 @@ void Viewer::on_key(int key, int modifiers) {
         if (!control || !leaves_a_field(key)) return;
         gui_.finish_typing();
     }
+    if (gui_.interface.exercising() && edits_the_object(key, control)) return;
     commit();
     if (control) {
         switch (key) {
