@@ -20,6 +20,7 @@
 #include "opening.h"
 #include "pace.h"
 #include "pointer.h"
+#include "scene_keys.h"
 #include "settings.h"
 
 #define GLFW_INCLUDE_NONE  // GL's declarations come from glad
@@ -41,12 +42,6 @@ namespace {
 constexpr int kSamples = 4;
 // Dear ImGui settles over a few frames after an event: a hovered button lights up in the next one.
 constexpr int kFramesAfterEvent = 3;
-
-// What an exercise asks must stay what it has asked.
-bool edits_the_object(int key, bool control) {
-    constexpr std::array kKeys{GLFW_KEY_C, GLFW_KEY_E, GLFW_KEY_G, GLFW_KEY_I, GLFW_KEY_N, GLFW_KEY_R, GLFW_KEY_V};
-    return control ? key == GLFW_KEY_F : std::ranges::find(kKeys, key) != kKeys.end();
-}
 
 // With Ctrl; what a field knows itself, such as Ctrl+Z, is meant for its text.
 bool leaves_a_field(int key) {
@@ -302,15 +297,17 @@ void Viewer::on_key(int key, int modifiers) {
         if (!control || !leaves_a_field(key)) return;
         gui_.finish_typing();
     }
-    if (gui_.interface.exercising() && edits_the_object(key, control)) return;
     commit();
+    const bool exercising = gui_.interface.exercising();  // what is asked must stay what it is
     if (control) {
         switch (key) {
             case GLFW_KEY_Z: return undo(shift);
             case GLFW_KEY_Y: return undo(true);
             case GLFW_KEY_O: return gui_.interface.ask_open(scene_);
             case GLFW_KEY_S: return gui_.interface.ask_save_scene();
-            case GLFW_KEY_F: return gui_.interface.edit_formula(scene_);
+            case GLFW_KEY_F:
+                if (!exercising) gui_.interface.edit_formula(scene_);
+                return;
             case GLFW_KEY_P: return gui_.interface.ask_save_picture();
             case GLFW_KEY_C: return copy_command();
             case GLFW_KEY_L: return shift ? copy_equations() : copy_link();
@@ -325,29 +322,15 @@ void Viewer::on_key(int key, int modifiers) {
             default: return;
         }
     }
-    Camera& camera = scene_.camera;
-    const auto look = [&](double azimuth, double elevation) { camera.azimuth = azimuth, camera.elevation = elevation; };
+    if (press_view_key(scene_, key) || (!exercising && press_object_key(scene_, key))) return;
     switch (key) {
-        case GLFW_KEY_N: scene_.rule = Rule::Naive; break;
-        case GLFW_KEY_I: scene_.rule = Rule::InverseTranspose; break;
-        case GLFW_KEY_C: scene_.rule = Rule::Cofactor; break;
-        case GLFW_KEY_V: scene_.view = static_cast<ViewMode>((static_cast<int>(scene_.view) + 1) % 3); break;
-        case GLFW_KEY_E:
-            scene_.color = scene_.color == SurfaceColor::Lit ? SurfaceColor::Error : SurfaceColor::Lit;
-            break;
-        case GLFW_KEY_G: scene_.show.ghost = !scene_.show.ghost; break;
-        case GLFW_KEY_T: scene_.theme = toggled(scene_.theme); break;
-        case GLFW_KEY_R: scene_.stack = {Scale{}}; break;
         case GLFW_KEY_M:
             if (gui_.interface.presenting()) window_.to_next_monitor();
             break;
-        case GLFW_KEY_1: look(0.0, 0.0); break;
-        case GLFW_KEY_2: look(90.0, 0.0); break;
-        case GLFW_KEY_3: look(0.0, 90.0); break;
         case GLFW_KEY_TAB:
         case GLFW_KEY_H: gui_.interface.toggle_panel(); break;
         case GLFW_KEY_F:
-            if (const auto ball = surface_ball()) camera = framed(camera, ball->centre, ball->radius);
+            if (const auto ball = surface_ball()) scene_.camera = framed(scene_.camera, ball->centre, ball->radius);
             break;
         default: break;
     }

@@ -1,5 +1,7 @@
 #include "core/closed.h"
 
+#include "core/disjoint_sets.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -15,23 +17,6 @@ std::uint64_t scattered(std::uint64_t x) {
     x = (x ^ x >> 27) * 0x94D049BB133111EBu;
     return x ^ x >> 31;
 }
-
-/// Which vertices hang together: Tarjan's disjoint sets, with paths halved.
-class Parts {
-public:
-    explicit Parts(std::size_t vertices) : parent_(vertices) { std::iota(parent_.begin(), parent_.end(), 0u); }
-    std::uint32_t of(std::uint32_t v) {
-        while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
-        return v;
-    }
-    void join(std::uint32_t a, std::uint32_t b) {
-        const std::uint32_t x = of(a), y = of(b);
-        parent_[std::max(x, y)] = std::min(x, y);
-    }
-
-private:
-    std::vector<std::uint32_t> parent_;
-};
 
 }  // namespace
 
@@ -50,7 +35,7 @@ bool edges_cancel(const std::vector<glm::uvec3>& triangles) {
 
 bool is_closed(const Mesh& mesh) {
     if (mesh.triangles.empty() || !edges_cancel(mesh.triangles)) return false;
-    Parts parts(mesh.positions.size());
+    DisjointSets parts(mesh.positions.size());
     for (const glm::uvec3& t : mesh.triangles) {
         parts.join(t.x, t.y);
         parts.join(t.x, t.z);

@@ -1,5 +1,7 @@
 #include "core/mesh.h"
 
+#include "core/disjoint_sets.h"
+
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 
@@ -104,36 +106,27 @@ struct CornersAtVertices {
     std::vector<std::uint32_t> starts, corners;
 };
 
-// Which of a vertex' faces hang together across edges that are no creases: each gets the number of the first of its part.
-std::vector<std::size_t> parts_around(const Mesh& mesh, std::span<const std::uint32_t> corners,
-                                      std::span<const glm::dvec3> face_normals, double least_cosine) {
+// Which of a vertex' faces hang together across edges that are no creases.
+DisjointSets parts_around(const Mesh& mesh, std::span<const std::uint32_t> corners,
+                          std::span<const glm::dvec3> face_normals, double least_cosine) {
     struct Side {
-        std::uint32_t other_end;
-        std::size_t face;  // of the vertex' faces
+        std::uint32_t other_end, face;  // the latter of the vertex' faces
     };
     std::vector<Side> sides;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (std::uint32_t i = 0; i < corners.size(); ++i) {
         const glm::uvec3& t = mesh.triangles[corners[i] / 3];
         const auto k = static_cast<int>(corners[i] % 3);
         sides.push_back({t[(k + 1) % 3], i});
         sides.push_back({t[(k + 2) % 3], i});
     }
     std::ranges::sort(sides, {}, [](const Side& s) { return std::pair(s.other_end, s.face); });
-    std::vector<std::size_t> part(corners.size());
-    std::iota(part.begin(), part.end(), std::size_t{0});
-    const auto first_of = [&](std::size_t i) {
-        while (part[i] != i) i = part[i] = part[part[i]];
-        return i;
-    };
+    DisjointSets parts(corners.size());
     for (std::size_t i = 1; i < sides.size(); ++i) {
         if (sides[i].other_end != sides[i - 1].other_end) continue;
-        const std::size_t a = sides[i - 1].face, b = sides[i].face;
-        if (glm::dot(face_normals[corners[a] / 3], face_normals[corners[b] / 3]) < least_cosine) continue;
-        const std::size_t x = first_of(a), y = first_of(b);
-        part[std::max(x, y)] = std::min(x, y);
+        const std::uint32_t a = sides[i - 1].face, b = sides[i].face;
+        if (glm::dot(face_normals[corners[a] / 3], face_normals[corners[b] / 3]) >= least_cosine) parts.join(a, b);
     }
-    for (std::size_t i = 0; i < part.size(); ++i) part[i] = first_of(i);
-    return part;
+    return parts;
 }
 
 }  // namespace
@@ -153,15 +146,16 @@ void split_at_creases(Mesh& mesh) {
         const glm::dvec3 mean = unit_or_zero(sum);
         if (std::ranges::all_of(corners, [&](std::uint32_t c) { return glm::dot(face_normals[c / 3], mean) >= half; }))
             continue;
-        const std::vector<std::size_t> parts = parts_around(mesh, corners, face_normals, least_cosine);
+        DisjointSets parts = parts_around(mesh, corners, face_normals, least_cosine);
         std::vector<std::uint32_t> vertex_of_part(corners.size(), static_cast<std::uint32_t>(v));
-        for (std::size_t i = 0; i < corners.size(); ++i) {
-            if (parts[i] == 0) continue;
-            if (parts[i] == i) {
+        for (std::uint32_t i = 0; i < corners.size(); ++i) {
+            const std::uint32_t part = parts.of(i);
+            if (part == 0) continue;
+            if (part == i) {
                 vertex_of_part[i] = static_cast<std::uint32_t>(mesh.positions.size());
                 mesh.positions.push_back(glm::dvec3(mesh.positions[v]));
             }
-            mesh.triangles[corners[i] / 3][static_cast<int>(corners[i] % 3)] = vertex_of_part[parts[i]];
+            mesh.triangles[corners[i] / 3][static_cast<int>(corners[i] % 3)] = vertex_of_part[part];
         }
     }
 }

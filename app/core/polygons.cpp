@@ -251,7 +251,7 @@ Mesh mesh_of(Polygons polygons, const std::string& file) {
     normalise(mesh.normals);
     const auto missing = static_cast<std::size_t>(std::ranges::count(mesh.normals, glm::dvec3(0.0)));
     if (!kinds.any_normal) {
-        mesh.closed = closed.get();
+        closed.wait();  // it reads what changes now
         const std::size_t smooth = mesh.positions.size();
         split_at_creases(mesh);
         mesh.normals = area_weighted_normals(mesh.positions, mesh.triangles);
@@ -266,7 +266,7 @@ Mesh mesh_of(Polygons polygons, const std::string& file) {
     }
     if (flat > 0)
         mesh.note += (mesh.note.empty() ? short_name + ": " : "; ") + counted(flat, "face") + " without area left out";
-    if (closed.valid()) mesh.closed = closed.get();
+    mesh.closed = closed.get();
     return mesh;
 }
 

@@ -349,10 +349,11 @@ constexpr int kDeepest = 32;  // a scene is at most seven levels deep
 // What is no JSON is a bare word, and so a string.
 Json setting_value(const std::string& text, const std::string& path) {
     try {
-        if (json_depth(text) > kDeepest) throw InputError("nested too deep for a scene");
         if (std::optional<Json> value = read_json_or_nothing(text, kDeepest)) return *std::move(value);
         if (text.starts_with('[') || text.starts_with('{') || text.starts_with('"'))
-            throw InputError(text.substr(0, 60) + " is not valid JSON; a bracket or a quote is missing");
+            throw InputError(json_depth(text) > kDeepest
+                                 ? "nested too deep for a scene"
+                                 : text.substr(0, 60) + " is not valid JSON; a bracket or a quote is missing");
         return text;  // a bare word
     } catch (const InputError& e) {
         throw InputError("--set " + path + ": " + e.what());

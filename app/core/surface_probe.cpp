@@ -45,10 +45,6 @@ std::optional<Probe> nearest_on(const ImplicitSurface& surface, const Mesh& mesh
     return on ? probe_on(surface, *on, borrow) : near;
 }
 
-}  // namespace
-
-namespace {
-
 // Newton's steps come as near to 0 as 1e-161 where 0 is meant, and never there.
 Point<Object> tidied(const ImplicitSurface& surface, Point<Object> p) {
     Point<Object> tidy = p;

@@ -13,9 +13,8 @@ namespace normalscope {
 
 std::optional<double> typed_number(std::string_view text) {
     std::string plain(text);
-    for (const std::string_view unit : {"°", "%"})
-        if (const std::size_t at = plain.rfind(unit); at != plain.npos && at + unit.size() == plain.size())
-            plain.resize(at);
+    constexpr std::string_view kUnit = "°";
+    if (plain.ends_with(kUnit)) plain.resize(plain.size() - kUnit.size());
     if (plain.find('.') == plain.npos && std::ranges::count(plain, ',') == 1) std::ranges::replace(plain, ',', '.');
 
     double number = 0.0;
@@ -28,7 +27,7 @@ std::optional<double> typed_number(std::string_view text) {
         if (!formulas::parameters_of(graph, root).empty()) return std::nullopt;
         const formulas::Program program = formulas::compile(graph, root, formulas::Parameters{});
         if (program.empty() || program.back().varies) return std::nullopt;
-        number = formulas::sample(program, glm::dvec3(0.0)).value;
+        number = formulas::value(program, glm::dvec3(0.0));
     } catch (const InputError&) {
         return std::nullopt;
     }

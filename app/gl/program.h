@@ -12,8 +12,8 @@
 
 namespace normalscope {
 
-/// A GL program from two embedded shader files, each behind the shared preamble and with what it includes. Derived classes name its uniforms
-/// once, as typed slots. Throws std::runtime_error with the file's name and the compiler's log.
+/// A GL program from two embedded shader files, each behind the shared preamble and with what it includes. Derived
+/// classes name its uniforms once, as typed slots. Throws std::runtime_error with the file's name and the compiler's log.
 class Program {
 public:
     /// `define` is a preprocessor symbol for both stages, or empty; `generated` comes before the fragment file.

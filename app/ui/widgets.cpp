@@ -10,6 +10,20 @@
 
 namespace normalscope {
 
+namespace {
+
+void draw_tip(const Look& look, const char* text) {
+    if (!ImGui::BeginTooltip()) return;
+    ImGui::PushFont(look.fonts.small);
+    ImGui::PushTextWrapPos(look.px(340));
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    ImGui::EndTooltip();
+}
+
+}  // namespace
+
 void tip(const Look& look, const char* text) {
     // Who has just clicked looks at what comes of it: the tip would cover that, so it waits for the pointer's return.
     constexpr ImGuiID kClicked = 0x7469705F;  // in the window's storage: the item
@@ -22,13 +36,7 @@ void tip(const Look& look, const char* text) {
         storage.SetInt(kClicked, 0);
     if (!*text || !hovered || !look.tips || storage.GetInt(kClicked) == item) return;
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    if (!ImGui::BeginTooltip()) return;
-    ImGui::PushFont(look.fonts.small);
-    ImGui::PushTextWrapPos(look.px(340));
-    ImGui::TextUnformatted(text);
-    ImGui::PopTextWrapPos();
-    ImGui::PopFont();
-    ImGui::EndTooltip();
+    draw_tip(look, text);
 }
 
 void begin_beside(const PixelRect& picture, const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags flags,
@@ -151,11 +159,7 @@ void read_typed(const Look& look, ImGuiID id, double& value, const NumberBar& ba
     const std::string why = typed ? "from " + brief(bar.range.low) + " to " + brief(bar.range.high)
                                   : std::string("not yet a number, such as 0.5, 1/2, √2 or pi/4");
     ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + look.px(4)});
-    if (!ImGui::BeginTooltip()) return;
-    ImGui::PushFont(look.fonts.small);
-    ImGui::TextUnformatted(why.c_str());
-    ImGui::PopFont();
-    ImGui::EndTooltip();
+    draw_tip(look, why.c_str());
 }
 
 }  // namespace
