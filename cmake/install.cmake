@@ -1,6 +1,6 @@
 # What is installed, and the Debian package of it.
 
-add_executable(option_docs docs/option_docs.cpp)
+add_executable(option_docs app/cli/option_docs.cpp)
 target_link_libraries(option_docs PRIVATE normalscope_cli)
 set(option_docs "${PROJECT_BINARY_DIR}/option_docs_out")
 file(MAKE_DIRECTORY "${option_docs}")

@@ -12,20 +12,17 @@ set(test_environment
   NORMALSCOPE=${PROJECT_BINARY_DIR}/normalscope
   PYTHONDONTWRITEBYTECODE=1)
 
-# gtest_executable(TARGET FOLDER): FOLDER's sources as one executable; its tests are found when ctest starts.
+# gtest_executable(TARGET FOLDER LIBRARIES...): the tests in FOLDER and below as one executable; its tests are found when
+# ctest starts.
 function(gtest_executable target folder)
-  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
-  if(NOT sources)
-    return()
-  endif()
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
   add_executable(${target} ${sources})
-  target_link_libraries(${target} PRIVATE
-    normalscope_cli normalscope_gl normalscope_platform normalscope_ui normalscope_embedded
-    nlohmann_json::nlohmann_json GTest::gtest_main)
-  if(folder STREQUAL unit)
-    target_precompile_headers(unit_tests PRIVATE ${common_headers} <gtest/gtest.h>)
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  target_link_libraries(${target} PRIVATE ${ARGN} normalscope_embedded GTest::gtest_main)
+  if(TARGET core_tests AND NOT target STREQUAL core_tests)
+    target_precompile_headers(${target} REUSE_FROM core_tests)
   else()
-    target_precompile_headers(${target} REUSE_FROM unit_tests)
+    target_precompile_headers(${target} PRIVATE ${common_headers} <gtest/gtest.h>)
   endif()
   if(TARGET Eigen3::Eigen)
     target_link_libraries(${target} PRIVATE Eigen3::Eigen)
@@ -45,7 +42,7 @@ function(compile_fail_tests file)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
   file(STRINGS ${file} blocks REGEX "^#ifdef EXPECT_ERROR_")
   list(TRANSFORM blocks REPLACE "^#ifdef +" "")
-  set(includes "-I$<JOIN:$<TARGET_PROPERTY:normalscope_core,INTERFACE_INCLUDE_DIRECTORIES>,;-I>")
+  set(includes "-I$<JOIN:$<TARGET_PROPERTY:normalscope_core_math,INTERFACE_INCLUDE_DIRECTORIES>,;-I>")
   foreach(block IN ITEMS COMPILES LISTS blocks)
     string(REPLACE EXPECT_ERROR_ "" name ${block})
     add_test(NAME compile_fail.${stem}.${name} COMMAND_EXPAND_LISTS
@@ -100,7 +97,7 @@ function(python_tests folder)
     add_test(NAME ${folder}.${name} COMMAND ${ARGN} ${Python3_EXECUTABLE} ${script})
     set_tests_properties(${folder}.${name} PROPERTIES LABELS ${folder} ENVIRONMENT "${test_environment}"
       SKIP_RETURN_CODE 77)
-    if(folder STREQUAL window)  # xvfb-run looks for a free display number without reserving it
+    if(folder STREQUAL desktop)  # xvfb-run looks for a free display number without reserving it
       # One after the other, so they start first: the others run beside them.
       set_tests_properties(${folder}.${name} PROPERTIES RESOURCE_LOCK display COST 2000)
     endif()

@@ -1,67 +1,139 @@
 #!/usr/bin/env python3
-"""Checks who includes whom under app/, and exits with 1 where the architecture forbids it.
+"""Holds app/ against the table of rooms in docs/architecture.md, and exits with 1 where they differ.
 
-The core knows only mathematics; gl, ui, platform and cli know the core, not each other; the files directly in app/
-wire them together and may include anything. The linker cannot check this: headers need no linking.
+Each folder of app/ is a room, and a row of the table names the rooms and the libraries that its files may include.
+Beyond that, CMakeLists.txt must link each room to just these rooms, and no files may include each other in a circle
+(a .cpp and its .h count as one).
 """
 
 import pathlib
 import re
 import sys
 
-APP = pathlib.Path(__file__).parent.parent / "app"
-TOP = "."  # the files directly in app/
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+APP = ROOT / "app"
+TABLE = ROOT / "docs" / "architecture.md"
 
-# Our folders that each folder may include, besides its own.
-OURS = {"core": set(), "gl": {"core"}, "ui": {"core"}, "platform": {"core"}, "cli": {"core"}}
-
-# The folders that may include a library's headers.
-THEIRS = {
-    r"(glad|GL|GLES\d?)/": {"gl", "platform", TOP},
-    r"(EGL|KHR)/": {"platform", TOP},
-    r"GLFW/": {"platform", TOP},
-    r"imgui": {"ui", TOP},
-    r"CLI/": {"cli", TOP},
+# What may not be included everywhere, by the word that the table has for it.
+LIBRARIES = {
+    "POSIX": r"(unistd|fcntl|poll|signal|spawn|dlfcn|pthread|csignal|termios)(\.h)?$|sys/",
+    "threads": r"(thread|future|mutex|shared_mutex|condition_variable|stop_token|semaphore|latch|barrier)$",
+    "JSON": r"nlohmann/",
+    "CLI11": r"CLI/",
+    "PNG": r"png\.h$",
+    "zlib": r"zlib\.h$",
+    "GL": r"(glad|GL|GLES\d?)/",
+    "EGL": r"(EGL|KHR)/",
+    "GLFW": r"GLFW/",
+    "ImGui": r"(imgui|imstb)(?!_impl)",
+    "ImGui backends": r"imgui_impl",
+    "assets": r"embedded\.h$",
 }
 
-INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]')
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)[">]')
+ROW = re.compile(r"^\| `([^`]+)` \|[^|]*\|([^|]*)\|([^|]*)\|")
 
 
-def complaint(file, folder, header):
-    """Why the file, of that folder, may not include the header; None where it may."""
-    for pattern, folders in THEIRS.items():
-        if re.match(pattern, header) and folder not in folders:
-            return f"only {', '.join(sorted(folders - {TOP}))} and the files directly in app/ may"
-    if folder == TOP:
-        return None
-    if ".." in header:
-        return "write the path from app/"
-    owner = header.split("/")[0]
-    if owner in OURS and owner not in OURS[folder] | {folder}:
-        return f"{folder} may include only {' and '.join(sorted(OURS[folder] | {folder}))}"
-    if "/" not in header and (APP / header).exists() and not (file.parent / header).exists():
-        return "the files directly in app/ are on top of all others"
-    return None
+def table():
+    """Each room's name, the rooms that it may include, and the libraries."""
+    rooms = {}
+    for line in TABLE.read_text(encoding="utf-8").splitlines():
+        if row := ROW.match(line):
+            libraries = {name.strip() for name in row[3].split(",")} - {""}
+            rooms[row[1]] = (re.findall(r"`([^`]+)`", row[2]), libraries)
+    return rooms
+
+
+def closure(rooms, room):
+    """All that a room may include: what its row names, what that may include in turn, and itself."""
+    found, todo = set(), [room]
+    while todo:
+        if (name := todo.pop()) not in found:
+            found.add(name)
+            todo += rooms[name][0] if name in rooms else []
+    return found
+
+
+def table_faults(rooms):
+    for room, (uses, libraries) in rooms.items():
+        for name in [room, *uses]:
+            if name not in rooms or not (APP / name).exists():
+                yield f"{TABLE.name}: there is no room {name}"
+        for name in libraries - LIBRARIES.keys():
+            yield f"{TABLE.name}: {room}: {pathlib.Path(__file__).name} does not know '{name}'"
+    linked = re.findall(r"^room\(([^\s)]+)([^)]*)\)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"), re.M)
+    linked = {name: sorted(uses.split()) for name, uses in linked}
+    for room in sorted(rooms.keys() | linked.keys()):
+        said = sorted(rooms[room][0]) if room in rooms else None
+        if room != "main.cpp" and linked.get(room) != said:
+            yield f"CMakeLists.txt: room({room}) links {linked.get(room)}, and {TABLE.name} has {said}"
+
+
+def room_of(file):
+    return file.name if file.parent == APP else str(file.parent.relative_to(APP))
+
+
+def includes(file):
+    """Line number, whether in quotes, and header."""
+    for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+        if found := INCLUDE.match(line):
+            yield number, found[1] == '"', found[2]
+
+
+def include_faults(rooms, files):
+    for file in files:
+        room = room_of(file)
+        where = file.relative_to(ROOT)
+        if room not in rooms:
+            yield f"{where}: {room} is no room of {TABLE.name}"
+            continue
+        allowed = closure(rooms, room)
+        for number, ours, header in includes(file):
+            if not ours:
+                for name, pattern in LIBRARIES.items():
+                    if re.match(pattern, header) and name not in rooms[room][1]:
+                        yield f"{where}:{number}: must not include {header}: {room} may not use {name}"
+            elif not (APP / header).exists():
+                yield f"{where}:{number}: write the path of {header} from app/"
+            elif room_of(APP / header) not in allowed:
+                yield f"{where}:{number}: must not include {header}: {room} may include {', '.join(sorted(allowed))}"
+
+
+def circles(files):
+    """The strongly connected parts of more than one unit, by Tarjan's algorithm."""
+    graph = {}
+    for file in files:
+        unit = file.relative_to(APP).with_suffix("")
+        graph.setdefault(unit, set()).update(
+            pathlib.Path(header).with_suffix("") for _, ours, header in includes(file) if ours)
+    index, low, stack = {}, {}, []
+
+    def visit(unit):
+        index[unit] = low[unit] = len(index)
+        stack.append(unit)
+        for other in sorted(graph.get(unit, set()) - {unit}):
+            if other not in index:
+                yield from visit(other)
+            if other in stack:
+                low[unit] = min(low[unit], low[other])
+        if low[unit] == index[unit]:
+            part = stack[stack.index(unit):]
+            del stack[stack.index(unit):]
+            if len(part) > 1:
+                yield part
+
+    for unit in sorted(graph):
+        if unit not in index:
+            yield from visit(unit)
 
 
 def main():
-    failed = False
-    for file in sorted(APP.rglob("*")):
-        if file.suffix not in {".h", ".cpp"}:
-            continue
-        parts = file.relative_to(APP).parts
-        folder = parts[0] if len(parts) > 1 else TOP
-        if folder != TOP and folder not in OURS:
-            print(f"{file}: {folder}/ is not among the folders that {pathlib.Path(__file__).name} knows")
-            failed = True
-            continue
-        for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
-            found = INCLUDE.match(line)
-            reason = found and complaint(file, folder, found[1])
-            if reason:
-                print(f"{file}:{number}: must not include {found[1]}: {reason}")
-                failed = True
-    return failed
+    rooms = table()
+    files = sorted(file for file in APP.rglob("*") if file.suffix in {".h", ".cpp"})
+    faults = [*table_faults(rooms), *include_faults(rooms, files)]
+    faults += [f"a circle of includes: {', '.join(map(str, part))}" for part in circles(files)]
+    print("\n".join(faults) or f"{len(files)} files in {len(rooms)} rooms")
+    return bool(faults)
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 #pragma once
 
-// What the declarations of the commands share. Each option is declared once, its help beside it.
+#include "cli/commands.h"
 
-#include "cli/options.h"
+// What the declarations of the commands share. Each option is declared once, its help beside it.
 
 #include <CLI/CLI.hpp>
 

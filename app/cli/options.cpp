@@ -4,7 +4,7 @@
 #include "cli/help.h"
 #include "cli/nearest.h"
 #include "cli/values.h"
-#include "core/error.h"
+#include "core/base/error.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,7 +1,7 @@
 #include "cli/values.h"
 
-#include "core/error.h"
-#include "core/image.h"
+#include "core/base/error.h"
+#include "core/image/image.h"
 
 #include <array>
 #include <charconv>

@@ -1,8 +1,8 @@
 #pragma once
 
-// Options' values from text. Each throws UsageError with the option, what was given and what is allowed.
+#include "cli/commands.h"
 
-#include "cli/options.h"
+// Options' values from text. Each throws UsageError with the option, what was given and what is allowed.
 
 namespace normalscope {
 

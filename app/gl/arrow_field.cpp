@@ -1,6 +1,6 @@
 #include "gl/arrow_field.h"
 
-#include "core/solids.h"
+#include "core/picture/solids.h"
 #include "gl/vertex_layout.h"
 
 #include <glm/common.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/frame.h"
-#include "core/site_clusters.h"
+#include "core/picture/frame.h"
+#include "core/picture/site_clusters.h"
 #include "gl/objects.h"
 #include "gl/programs.h"
 

@@ -1,6 +1,6 @@
 #include "gl/renderer.h"
 
-#include "core/drawn_box.h"
+#include "core/picture/drawn_box.h"
 #include "gl/arrow_field.h"
 #include "gl/programs.h"
 #include "gl/tracer.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/frame.h"
+#include "core/picture/frame.h"
 #include "gl/target.h"
 
 #include <memory>

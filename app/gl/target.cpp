@@ -1,6 +1,6 @@
 #include "gl/target.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/camera.h"
-#include "core/frame.h"
-#include "core/implicit_surface.h"
+#include "core/math/camera.h"
+#include "core/picture/frame.h"
+#include "core/surface/implicit_surface.h"
 #include "gl/objects.h"
 #include "gl/programs.h"
 #include "gl/vertex_data.h"

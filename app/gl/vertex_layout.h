@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mesh.h"
+#include "core/mesh/mesh.h"
 #include "gl/objects.h"
 
 #include <glm/gtc/type_precision.hpp>

@@ -2,6 +2,8 @@
 
 #include "platform/context.h"
 
+#include <memory>
+
 namespace normalscope {
 
 /// EGL without a surface: a graphics card where there is one, or else Mesa on the processor. Throws ContextError.

@@ -1,6 +1,6 @@
 #include "platform/osmesa_context.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "platform/gl_debug.h"
 #include "platform/shared_library.h"
 

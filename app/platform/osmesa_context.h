@@ -2,6 +2,8 @@
 
 #include "platform/context.h"
 
+#include <memory>
+
 namespace normalscope {
 
 /// Mesa's off-screen interface: draws on the processor, without a display or a driver. Throws ContextError.

@@ -1,6 +1,6 @@
 #include "platform/shared_library.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 
 #include <dlfcn.h>
 

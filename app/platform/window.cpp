@@ -1,6 +1,6 @@
 #include "platform/window.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "platform/gl_debug.h"
 
 #include <glad/gl.h>

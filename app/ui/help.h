@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/frame.h"
-#include "ui/style.h"
+#include "core/picture/frame.h"
+#include "ui/kit/style.h"
 
 namespace normalscope {
 

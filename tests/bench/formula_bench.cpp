@@ -2,14 +2,15 @@
 // torus; and the time from a new formula to its picture while one types, and to its traced one when one pauses, for which
 // the driver compiles a program. Prints one line of JSON.
 
-#include "core/frame.h"
-#include "core/scene_file.h"
-#include "core/surface.h"
+#include "core/lessons/open_scene.h"
+#include "core/picture/frame.h"
+#include "core/picture/make_frame.h"
+#include "core/surface/surface.h"
+#include "desktop/gui.h"
 #include "gl/renderer.h"
 #include "gl/target.h"
-#include "gui.h"
 #include "measure.h"
-#include "platform/context.h"
+#include "platform/offscreen_context.h"
 
 #include <glad/gl.h>
 
@@ -43,7 +44,7 @@ public:
 private:
     Target target_{kSize, 4}, rough_target_{kSize, 1};
     Renderer renderer_;
-    Gui gui_{Gui::Brush::Gl};
+    Gui gui_{nullptr};
     SurfaceCache surfaces_;
 };
 

@@ -1,15 +1,16 @@
 // What one interactive frame costs: the default scene with its panel, the camera turning, drawn off-screen as the
 // window draws it. Prints one line of JSON: frames a second, from the median, by samples a pixel.
 
-#include "core/frame.h"
-#include "core/scene_file.h"
-#include "core/scene_json.h"
-#include "core/surface.h"
+#include "core/lessons/open_scene.h"
+#include "core/picture/frame.h"
+#include "core/picture/make_frame.h"
+#include "core/scene/scene_json.h"
+#include "core/surface/surface.h"
+#include "desktop/gui.h"
 #include "gl/renderer.h"
 #include "gl/target.h"
-#include "gui.h"
 #include "measure.h"
-#include "platform/context.h"
+#include "platform/offscreen_context.h"
 
 #include <glad/gl.h>
 
@@ -25,7 +26,7 @@ double median_frame_milliseconds(int samples) {
     constexpr int kFrames = 60;
     Target target(kSize, samples);
     Renderer renderer;
-    Gui gui(Gui::Brush::Gl);
+    Gui gui(nullptr);
     SurfaceCache surfaces;
     Scene scene = load_scene(std::string(kDefaultScene));
     std::vector<double> milliseconds;

@@ -2,19 +2,20 @@
 // the frames on the way from step to step, with the panel and in presenter mode. Prints one line of JSON, by lesson, or
 // for the lesson that is named.
 
-#include "core/frame.h"
-#include "core/lesson.h"
-#include "core/lesson_player.h"
-#include "core/slice.h"
-#include "core/surface.h"
-#include "display_scale.h"
+#include "core/lessons/lesson.h"
+#include "core/lessons/lesson_player.h"
+#include "core/picture/display_scale.h"
+#include "core/picture/frame.h"
+#include "core/picture/make_frame.h"
+#include "core/surface/level_sets.h"
+#include "core/surface/surface.h"
+#include "desktop/gui.h"
 #include "gl/renderer.h"
 #include "gl/target.h"
-#include "gui.h"
 #include "measure.h"
-#include "opening.h"
-#include "pace.h"
-#include "platform/context.h"
+#include "platform/offscreen_context.h"
+#include "viewer/opening.h"
+#include "viewer/pace.h"
 
 #include <glad/gl.h>
 
@@ -75,7 +76,7 @@ private:
     Pace pace_;
     Target target_{kSize, 4}, rough_target_{kSize, 1};
     Renderer renderer_;
-    Gui gui_{Gui::Brush::Gl};
+    Gui gui_{nullptr};
     std::unique_ptr<SurfaceCache> surfaces_;
     LevelSetsCache level_sets_;
     Scene scene_;

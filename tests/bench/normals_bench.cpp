@@ -1,9 +1,9 @@
 // n · t over ten million normals and all rules, beside one pass that reads and writes them, on as many threads. Prints
 // one line of JSON: milliseconds, medians of several turns.
 
-#include "core/normal_rules.h"
-#include "core/threads.h"
-#include "core/worst_dots.h"
+#include "core/base/threads.h"
+#include "core/math/normal_rules.h"
+#include "core/surface/worst_dots.h"
 #include "measure.h"
 
 #include <glm/geometric.hpp>

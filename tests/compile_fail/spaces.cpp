@@ -1,6 +1,6 @@
 // The types forbid what the theory forbids. Each block is compiled alone and must be refused.
 
-#include "core/transform.h"
+#include "core/math/transform.h"
 
 using namespace normalscope;
 

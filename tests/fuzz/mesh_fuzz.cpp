@@ -1,8 +1,8 @@
 // Any bytes as a mesh: the first one says as what (o, p or s, as .obj, .ply and .stl), the rest is the file.
 
-#include "core/error.h"
-#include "core/polygons.h"
-#include "core/surface.h"
+#include "core/base/error.h"
+#include "core/mesh/polygons.h"
+#include "core/surface/surface.h"
 #include "fuzz.h"
 
 #include <glm/common.hpp>

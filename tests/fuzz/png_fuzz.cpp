@@ -1,7 +1,7 @@
 // Any bytes as a picture.
 
-#include "core/error.h"
-#include "core/png.h"
+#include "core/base/error.h"
+#include "core/image/png.h"
 #include "fuzz.h"
 
 namespace normalscope::fuzz {

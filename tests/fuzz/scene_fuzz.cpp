@@ -1,9 +1,9 @@
 // Any bytes as a scene, and as what follows --set and --vary.
 
-#include "core/error.h"
-#include "core/scene_json.h"
-#include "core/scene_settings.h"
-#include "core/vary.h"
+#include "core/base/error.h"
+#include "core/scene/scene_json.h"
+#include "core/scene/scene_settings.h"
+#include "core/scene/variation.h"
 #include "fuzz.h"
 
 namespace normalscope::fuzz {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/error.h"
-#include "platform/context.h"
+#include "core/base/error.h"
+#include "platform/offscreen_context.h"
 
 #include <glad/gl.h>
 #include <gtest/gtest.h>

@@ -2,8 +2,8 @@
 
 #include "support.h"
 
-#include "core/implicit_surface.h"
-#include "core/stack.h"
+#include "core/math/stack.h"
+#include "core/surface/implicit_surface.h"
 #include "gl/tracer.h"
 
 #include <glm/geometric.hpp>

@@ -1,7 +1,9 @@
 // formula_dump COUNT SEED: random formulas with their derivatives and values as JSON, for a test that asks a computer
 // algebra system for the same.
 
-#include "../property/random_formula.h"
+#include "core/formula/compile.h"
+#include "core/formula/syntax_error.h"
+#include "random_formula.h"
 
 #include "core/formula/evaluate.h"
 #include "core/formula/formula.h"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/formula/graph.h"
+#include "core/formula/syntax_error.h"
 
 #include <array>
 #include <string>

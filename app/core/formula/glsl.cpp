@@ -1,5 +1,7 @@
 #include "core/formula/glsl.h"
 
+#include "core/formula/formula.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>

@@ -1,6 +1,6 @@
 #include "core/formula/graph.h"
 
-#include "core/error.h"
+#include "core/base/error.h"
 #include "core/formula/real.h"
 
 #include <algorithm>

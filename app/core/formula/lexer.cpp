@@ -1,6 +1,6 @@
 #include "core/formula/lexer.h"
 
-#include "core/formula/parse.h"
+#include "core/formula/syntax_error.h"
 
 #include <algorithm>
 #include <array>

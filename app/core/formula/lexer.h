@@ -3,6 +3,7 @@
 // The characters of a formula as tokens; for the parser only.
 
 #include "core/formula/graph.h"
+#include "core/formula/syntax_error.h"
 
 #include <string>
 #include <string_view>

@@ -3,6 +3,7 @@
 // What the parser's operators work on; for the parser only.
 
 #include "core/formula/graph.h"
+#include "core/formula/syntax_error.h"
 
 #include <vector>
 

@@ -4,6 +4,7 @@
 
 #include "core/formula/lexer.h"
 #include "core/formula/operand.h"
+#include "core/formula/syntax_error.h"
 
 #include <algorithm>
 #include <optional>

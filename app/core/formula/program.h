@@ -1,9 +1,10 @@
 #pragma once
 
-#include "core/formula/graph.h"
 #include "core/formula/real.h"
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace normalscope::formulas {
 
@@ -51,10 +52,6 @@ using Program = std::vector<Instruction>;
 
 /// How many operands a step has.
 int operands(Code code);
-
-/// With values for the parameters they become constants, and x^a is a polynomial where a is a whole number. Without,
-/// they stay, as the graphics processor's uniforms.
-Program compile(const Graph& graph, Id root, const std::optional<Parameters>& parameters);
 
 /// The total degree in x, y, z where the program is a polynomial; terms that cancel are not noticed. Empty where it is
 /// none, or of a degree beyond `most`.

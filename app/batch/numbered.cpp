@@ -1,0 +1,26 @@
+#include "batch/numbered.h"
+
+namespace normalscope {
+
+std::filesystem::path numbered(const std::string& pattern, std::size_t i, std::size_t columns) {
+    const bool two = pattern.find('%') != pattern.rfind('%');
+    std::string name;
+    bool first = true;
+    for (std::size_t at = 0; at < pattern.size();) {
+        if (pattern[at] != '%') {
+            name += pattern[at++];
+            continue;
+        }
+        const std::size_t end = pattern.find('d', at);
+        const std::string width = pattern.substr(at + 1, end - at - 1);
+        std::string number = std::to_string(!two ? i : first ? i / columns : i % columns);
+        const std::size_t digits = width.empty() ? 0 : std::stoul(width);
+        if (number.size() < digits) number.insert(0, digits - number.size(), '0');
+        name += number;
+        first = false;
+        at = end + 1;
+    }
+    return name;
+}
+
+}  // namespace normalscope

@@ -1,0 +1,42 @@
+// The commands that print, and draw nothing.
+
+#include "commands/commands.h"
+#include "commands/scene_arguments.h"
+#include "core/base/file.h"
+#include "core/base/utf8.h"
+#include "core/explain/explanation.h"
+#include "core/lessons/lesson.h"
+#include "core/lessons/open_scene.h"
+
+#include <algorithm>
+#include <string>
+
+namespace normalscope {
+
+namespace {
+
+int print(const std::string& text) {
+    write_file("/dev/stdout", text);  // says so where it cannot be written
+    return 0;
+}
+
+// A line each: its name, and what it is about.
+template <class List>
+int print_list(const List& list) {
+    std::size_t width = 0;
+    for (const auto& entry : list) width = std::max(width, columns(entry.name) + 2);
+    std::string text;
+    for (const auto& entry : list) text += padded(entry.name, width) + entry.about + "\n";
+    return print(text);
+}
+
+}  // namespace
+
+int run(const ScenesCommand&) { return print_list(built_in_scenes()); }
+int run(const LessonsCommand&) { return print_list(built_in_lessons()); }
+int run(const ExplainCommand& command) {
+    return print(explain(scene_for(command.file, command.settings), command.format));
+}
+int run(const Printed& command) { return print(command.text); }
+
+}  // namespace normalscope

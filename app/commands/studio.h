@@ -1,0 +1,57 @@
+#pragma once
+
+#include "core/image/ground.h"
+#include "core/image/image.h"
+#include "core/lessons/lesson.h"
+#include "core/scene/scene.h"
+#include "core/surface/surface.h"
+#include "platform/context.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace normalscope {
+
+struct CaptureOptions {
+    glm::ivec2 size{1280, 720};
+    int samples = 4;
+    Ground ground = Ground::Scene;
+    std::optional<float> scale;  ///< of words and lines; usual_scale where it is not given
+    bool panel = false;          ///< the interface too
+    std::string tab;             ///< the tab beside the picture, with the interface; empty: none
+    bool numbers = false;        ///< fill Capture::numbers
+    /// With a lesson: what its step says, below the picture, as in presenter mode.
+    std::shared_ptr<const Lesson> lesson{};
+    std::size_t step = 0;
+};
+
+struct Capture {
+    Image image;
+    std::string numbers{};  ///< JSON text (DESIGN section 2)
+    std::string note{};     ///< of a formula: why there is less to be seen than one may expect
+};
+
+/// Makes pictures of scenes without a window, one after the other: the context, its shaders and the last surface are
+/// kept, and a picture does not depend on those before it. Each belongs to the thread that made its first picture.
+class Studio {
+public:
+    /// `pictures` is how many it is likely to make in all. Call it before any thread starts.
+    explicit Studio(ContextChoice context, std::size_t pictures = 1);
+    ~Studio();
+    Studio(const Studio&) = delete;
+    Studio& operator=(const Studio&) = delete;
+
+    /// Throws InputError, ContextError, and UsageError for an unknown tab.
+    Capture capture(const Scene& scene, const CaptureOptions& options);
+
+private:
+    Capture draw(const Scene& scene, const CaptureOptions& options, const std::optional<glm::vec3>& plain_ground);
+
+    struct Equipment;
+    ContextChoice choice_;
+    std::unique_ptr<Equipment> equipment_;
+    SurfaceCache surfaces_;
+};
+
+}  // namespace normalscope

@@ -1,0 +1,133 @@
+#include "core/explain/explanation.h"
+
+#include "core/picture/make_frame.h"
+#include "core/scene/mistakes.h"
+
+#include <glm/geometric.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace normalscope {
+
+namespace {
+
+// What the scene has in the naive rule's place, if not that rule itself.
+std::string note_on(const Scene& scene, const Transform<World, Object>& m, const std::optional<Probe>& probe) {
+    const MistakeText mistake = text(scene.mistake);
+    std::string note = "In the naive rule's place the picture shows another mistake, " + std::string(mistake.formula) +
+                       " (" + std::string(mistake.title) + "). " + std::string(mistake.reason);
+    const std::optional<NormalMap> map = normal_map(scene, m, Rule::Naive);
+    const std::optional<Normal<World>> right = probe ? m(probe->normal) : std::nullopt;
+    if (!map || !right) return note;
+    const auto off = angle_degrees((*map)(probe->normal).xyz, right->xyz);
+    return off ? note + " At the probe its direction is off by " + number_text(*off, 1e-7, 3) + "°." : note;
+}
+
+}  // namespace
+
+std::vector<std::string> notes(const Scene& scene, const Transform<World, Object>& m,
+                               const std::optional<Probe>& probe) {
+    const NormalMatrices& matrices = m.normal_matrices_by_rule();
+    std::vector<std::string> result;
+    if (applied_stack(scene).empty())
+        result.emplace_back("The stack is empty: M is the identity, and every rule agrees.");
+    if (!is_affine(m.matrix()))
+        result.emplace_back(
+            "M is not affine: its bottom row is not 0 0 0 1. All that follows is about its upper left 3×3, M₃, and "
+            "holds for points "
+            "only as far as M is M₃ and a translation.");
+    if (scene.mistake != Mistake::Naive) result.push_back(note_on(scene, m, probe));
+    if (matrices.rank == 2)
+        result.emplace_back(
+            "M₃ has rank 2: it flattens the object to a plane. It has no inverse, so there is no inverse transpose; "
+            "the "
+            "cofactor matrix still gives the flattened object's normal.");
+    if (matrices.rank == 1)
+        result.emplace_back(
+            "M₃ has rank 1: it flattens the object to a line. There is no inverse, the cofactor matrix is zero, and no "
+            "normal at all.");
+    if (matrices.rank == 0) result.emplace_back("M₃ is zero: the object is gone to a point. No rule gives a normal.");
+    if (matrices.determinant < 0.0)
+        result.emplace_back(
+            "M₃ reflects (its determinant is negative). The inverse transpose carries gradients, so its normal keeps "
+            "pointing "
+            "outward; the cofactor follows the triangles' winding, which the reflection has turned over, so its normal "
+            "is the "
+            "opposite one. Each is right for its own question.");
+    if (const auto k = matrices.condition(); k && *k > 1e4) {
+        const int lost = static_cast<int>(std::lround(std::log10(*k)));
+        result.push_back("M₃ is nearly singular: its condition number is " + number_text(*k, 0.0, 3) +
+                         ", so the inverse may lose about " + std::to_string(lost) + " of a double's 16 digits" +
+                         (lost >= 12 ? "; treat it as if it had no inverse." : "."));
+    }
+    if (matrices.rank < 3 && singular_values(matrices.naive).sigma.z > 0.0)
+        result.emplace_back(
+            "The smallest stretch factor is no larger than what rounding makes of zero (4ε of the largest), or an "
+            "entry of the "
+            "stack is singular: it counts as zero.");
+    if (std::holds_alternative<FormulaSurface>(scene.surface) && matrices.rank < 3)
+        result.emplace_back(
+            "Without M⁻¹ no ray finds its way to object space: the picture shows the surface's triangles, carried "
+            "along "
+            "by M.");
+    if (probe && probe->borrowed_from)
+        result.push_back(
+            "At the probe ∇f is zero: there is no normal. What follows borrows that of a neighbour on the "
+            "surface, " +
+            number_text(glm::distance(probe->borrowed_from->xyz, probe->point.xyz), 0.0, 3) + " away.");
+    if (probe && !probe->has_normal())
+        result.emplace_back(
+            "At the probe ∇f is zero or does not exist: there is no normal, and the derivation has no numbers. The "
+            "cheap "
+            "remedy is a neighbour's: set borrow.azimuth.");
+    if (!probe)
+        result.push_back(
+            "The camera sees nothing of the surface" +
+            std::string(std::holds_alternative<FormulaSurface>(scene.surface) ? " that has a normal" : "") +
+            ", so there is no probe, and the derivation has no numbers.");
+    return result;
+}
+
+std::string_view name(ExplainFormat format) {
+    constexpr std::array<std::string_view, 3> kNames{"text", "json", "latex"};
+    return kNames.at(static_cast<std::size_t>(format));
+}
+
+Explanation explanation(const Scene& scene, const std::optional<Probe>& any_probe, std::size_t tangent) {
+    const std::optional<Probe> probe = with_normal(any_probe);
+    const Transform<World, Object> m = world_from_object(scene);
+    const NormalMatrices& matrices = m.normal_matrices_by_rule();
+    const std::vector<StackEntry> stack = applied_stack(scene);
+    const int factors = static_cast<int>(stack.size());
+    Explanation e;
+    e.about = scene.about;
+    e.m = value_of(m.matrix(), factors);
+    e.matrices = matrices;
+    e.probe = probe;
+    e.notes = notes(scene, m, any_probe);
+    e.derivation = derivation(m, factors, probe, tangent);
+    e.stack = stack_algebra(stack);
+    if (!stack.empty()) e.orders = orders_of_inverses(stack, probe);
+    e.decomposition = decomposition(matrices.naive, matrices.rank);
+    e.claims = claims(m.matrix(), matrices.rank);
+    e.classes = map_classes(m.matrix(), matrices.rank);
+    return e;
+}
+
+std::string explain(const Scene& scene, ExplainFormat format) {
+    SurfaceCache surfaces;
+    const Frame frame = make_frame(scene, surfaces.get(scene), {.rect = {{0, 0}, {1280, 720}}});
+    Explanation e = explanation(scene, frame.probe ? std::optional(frame.probe->object) : std::nullopt);
+    e.implicit = frame.surface->implicit;
+    if (frame.probe) e.gradient = gradient_report(*frame.surface, frame.probe->object);
+    if (e.implicit && !frame.surface->mesh.note.empty()) e.notes.push_back(frame.surface->mesh.note);
+    switch (format) {
+        case ExplainFormat::Text: return explanation_text(e);
+        case ExplainFormat::Json: return explanation_json(scene, frame, e);
+        case ExplainFormat::Latex: return explanation_latex(e);
+    }
+    return {};
+}
+
+}  // namespace normalscope

@@ -1,0 +1,85 @@
+#include "core/explain/numbers_json.h"
+
+#include "core/base/json_text.h"
+#include "core/explain/json_values.h"
+#include "core/scene/scene_json.h"
+#include "core/surface/worst_dots.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace normalscope {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json probe_json(const ProbeInWorld& p, const ImplicitSurface* implicit) {
+    const auto vector = [](const auto& v) { return json_vector(v.xyz); };
+    const auto pair = [&](const auto& tangents) { return Json::array({vector(tangents[0]), vector(tangents[1])}); };
+    Json j;
+    j["point_object"] = vector(p.object.point);
+    j["point_world"] = vector(p.point);
+    const bool any = p.object.has_normal();
+    j["n_object"] = any ? vector(p.object.normal) : Json(nullptr);
+    j["n_world"] = json_by_rule(p.normals, [&](const auto& n) { return json_or_null(n, vector); });
+    j["tangents_object"] = any ? pair(p.object.tangents) : Json(nullptr);
+    j["tangents_world"] = any ? pair(p.tangents) : Json(nullptr);
+    j["dots"] = json_by_rule(p.dots, [](const auto& d) {
+        return json_or_null(d, [](const auto& v) { return Json::array({json_number(v[0]), json_number(v[1])}); });
+    });
+    j["f"] = nullptr;  // formulas only
+    j["gradient"] = nullptr;
+    if (implicit) {
+        const formulas::Sample s = implicit->at(p.object.point);
+        j["f"] = json_number(s.value);
+        if (std::isfinite(glm::length(s.gradient))) j["gradient"] = json_vector(s.gradient);
+    }
+    // Where the gradient is zero there is no normal: the one above is that of this neighbour.
+    if (p.object.borrowed_from) j["borrowed_from"] = vector(*p.object.borrowed_from);
+    return j;
+}
+
+}  // namespace
+
+Json numbers_json(const Scene& scene, const Frame& frame, const std::optional<Drawn>& drawn) {
+    const Transform<World, Object> m = world_from_object(scene);
+    const NormalMatrices& matrices = m.normal_matrices_by_rule();
+    const auto mistaken = normal_map(scene, m, Rule::Naive);
+    const auto errors = mistaken ? error_statistics(frame.surface->mesh, *mistaken, matrices) : std::nullopt;
+
+    Json j;
+    const auto of_drawing = [&](std::string Drawn::* what) { return drawn ? Json((*drawn).*what) : Json(nullptr); };
+    j["program"] = of_drawing(&Drawn::program);
+    j["renderer"] = of_drawing(&Drawn::renderer);
+    j["gl_version"] = of_drawing(&Drawn::gl_version);
+    j["context"] = of_drawing(&Drawn::context);
+    j["mistake"] = std::string(name(scene.mistake));  // what stands in the naive rule's place below
+    j["M"] = json_rows(m.matrix());
+    j["determinant"] = json_number(matrices.determinant);
+    j["rank"] = matrices.rank;
+    j["condition"] = json_or_null(matrices.condition(), json_number);
+    for (const Rule rule : kRules)
+        j["normal_matrix"][std::string(name(rule))] =
+            json_or_null(matrices.by(rule), [](const auto& n) { return json_rows(n); });
+    j["error_degrees"]["worst"] = json_or_null(errors, [](const auto& e) { return json_number(e.worst_degrees); });
+    j["error_degrees"]["mean"] = json_or_null(errors, [](const auto& e) { return json_number(e.mean_degrees); });
+    j["error_degrees"]["bound"] = json_or_null(matrices.error_bound_degrees(), json_number);
+    j["error_degrees"]["at"] = json_or_null(errors, [](const auto& e) { return json_vector(e.at.xyz); });
+    const auto dots =
+        worst_dots(frame.surface->mesh.normals,
+                   {mistaken, normal_map(scene, m, Rule::InverseTranspose), normal_map(scene, m, Rule::Cofactor)},
+                   tangent_matrix(scene, m));
+    for (const Rule rule : kRules)
+        j["worst_dot"][std::string(name(rule))] = json_or_null(dots[static_cast<std::size_t>(rule)], json_number);
+    j["probe"] =
+        json_or_null(frame.probe, [&](const ProbeInWorld& p) { return probe_json(p, frame.surface->implicit.get()); });
+    return j;
+}
+
+std::string numbers_text(const Scene& scene, const Frame& frame, const Drawn& drawn) {
+    return json_text(numbers_json(scene, frame, drawn)) + "\n";
+}
+
+}  // namespace normalscope

@@ -1,0 +1,63 @@
+#include "core/lessons/lesson_player.h"
+
+#include "core/base/error.h"
+#include "core/scene/scene_blend.h"
+
+#include <algorithm>
+
+namespace normalscope {
+
+Scene LessonPlayer::between(const Scene& from, const Scene& to, double t) {
+    Scene scene = blend(from, to, t * t * (3.0 - 2.0 * t));
+    try {
+        (void)world_from_object(scene);
+    } catch (const InputError&) {
+        return to;
+    }
+    return scene;
+}
+
+Scene LessonPlayer::target(const Scene& scene) const {
+    Scene step_scene = step().scene;
+    step_scene.theme = scene.theme;
+    return step_scene;
+}
+
+void LessonPlayer::start(std::shared_ptr<const Lesson> lesson, std::size_t step, const Scene& scene) {
+    lesson_ = std::move(lesson);
+    answers_.assign(lesson_->steps.size(), std::nullopt);
+    go_to(std::min(step, lesson_->steps.size() - 1), scene);
+}
+
+void LessonPlayer::go_to(std::size_t step, const Scene& scene) {
+    if (!running() || step >= lesson_->steps.size()) return;
+    step_ = step;
+    way_ = Way{scene, scene, 0.0};
+}
+
+void LessonPlayer::advance(double seconds, Scene& scene) {
+    if (!way_) return;
+    if (!(scene == way_->shown)) {
+        way_.reset();
+        return;
+    }
+    way_->seconds += seconds;
+    if (way_->seconds >= kSeconds) return arrive(scene);
+    Scene next = between(way_->from, target(scene), way_->seconds / kSeconds);
+    if (next == target(scene)) return arrive(scene);
+    scene = way_->shown = std::move(next);
+}
+
+void LessonPlayer::arrive(Scene& scene) {
+    if (!way_) return;
+    scene = target(scene);
+    way_.reset();
+}
+
+bool LessonPlayer::strayed(const Scene& scene) const { return running() && !moving() && !(scene == target(scene)); }
+
+void LessonPlayer::choose(std::size_t choice) {
+    if (running() && step().question && choice < step().question->choices.size()) answers_[step_] = choice;
+}
+
+}  // namespace normalscope

@@ -1,0 +1,77 @@
+#include "core/picture/axis_handles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace normalscope {
+
+namespace {
+
+constexpr double kBeyond = 1.15;  // of the extent: outside the object, yet within the picture
+constexpr double kLeast = 0.4;    // of a flat object, lest the knobs crowd together
+
+auto first_scale(const std::vector<StackEntry>& stack) {
+    return std::ranges::find_if(stack, [](const StackEntry& e) { return std::holds_alternative<Scale>(e); });
+}
+
+}  // namespace
+
+std::vector<AxisHandle> axis_handles(const Scene& scene, const glm::dvec3& extent) {
+    if (scene.stack_position) return {};  // half a scale has no knob to drag
+    const auto scale = first_scale(scene.stack);
+    const bool any = scale != scene.stack.end();
+    const glm::dvec3 factors = any ? std::get<Scale>(*scale).factors : glm::dvec3(1.0);
+    const Transform<World, Object> after(product({any ? scale + 1 : scene.stack.begin(), scene.stack.end()}));
+    std::vector<AxisHandle> handles;
+    for (int axis = 0; axis < 3; ++axis) {
+        Vector<Object> direction;
+        direction.xyz[axis] = std::max(kBeyond * extent[axis], kLeast);
+        const AxisHandle handle{axis, after(Point<Object>{}), after(direction), factors[axis]};
+        if (glm::length(handle.unit.xyz) > 1e-6) handles.push_back(handle);
+    }
+    return handles;
+}
+
+std::optional<AxisHandle> handle_at(const std::vector<AxisHandle>& handles, const CameraView& view, glm::dvec2 pixel,
+                                    double reach) {
+    std::optional<AxisHandle> found;
+    double nearest_depth = 0.0;
+    for (const AxisHandle& handle : handles) {
+        const glm::dvec3 knob = view.pixel(handle.knob());
+        if (knob.z <= 0.0 || glm::length(glm::dvec2(knob) - pixel) > reach) continue;
+        if (found && knob.z >= nearest_depth) continue;
+        found = handle;
+        nearest_depth = knob.z;
+    }
+    return found;
+}
+
+std::optional<double> factor_at(const AxisHandle& handle, const CameraView& view, glm::dvec2 pixel) {
+    // The point of one line nearest to another: minimise |origin + s unit − (eye + t direction)|.
+    const Ray<World> ray = view.ray(pixel);
+    const glm::dvec3 u = handle.unit.xyz, d = glm::normalize(ray.direction.xyz), w = handle.origin.xyz - ray.origin.xyz;
+    const double uu = glm::dot(u, u), ud = glm::dot(u, d);
+    const double determinant = uu - ud * ud;
+    if (determinant < 1e-3 * uu) return std::nullopt;
+    return (ud * glm::dot(d, w) - glm::dot(u, w)) / determinant;
+}
+
+Scene stretched(const Scene& scene, const AxisHandle& handle, double factor, bool uniform) {
+    Scene result = scene;
+    if (first_scale(result.stack) == result.stack.end()) result.stack.insert(result.stack.begin(), Scale{});
+    glm::dvec3& factors = std::get<Scale>(*std::ranges::find_if(result.stack, [](const StackEntry& e) {
+                              return std::holds_alternative<Scale>(e);
+                          })).factors;
+    // Hundredths: what one drags to should be a number one can say.
+    const double rounded = std::clamp(std::round(100.0 * factor) / 100.0, -100.0, 100.0) + 0.0;
+    const double before = factors[handle.axis];
+    if (uniform && before != 0.0)
+        factors *= rounded / before;
+    else if (uniform)
+        factors = glm::dvec3(rounded);
+    else
+        factors[handle.axis] = rounded;
+    return result;
+}
+
+}  // namespace normalscope

@@ -1,0 +1,76 @@
+#include "core/picture/decomposition_marks.h"
+
+#include "core/math/polar_decomposition.h"
+#include "core/picture/arcs.h"
+#include "core/picture/frame_options.h"
+#include "core/picture/solids.h"
+#include "core/scene/mistakes.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace normalscope {
+
+namespace {
+
+// The vertex whose normal comes nearest to one of the two that are worst.
+std::size_t nearest_normal(const Mesh& mesh, const WorstNormal& worst) {
+    std::size_t best = 0;
+    double best_cosine = -2.0;
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+        const double cosine =
+            std::max(glm::dot(mesh.normals[i], worst.object[0].xyz), glm::dot(mesh.normals[i], worst.object[1].xyz));
+        if (cosine > best_cosine) best_cosine = cosine, best = i;
+    }
+    return best;
+}
+
+void add_label(Pane& pane, const glm::dvec3& at, const char* text, const glm::vec3& color) {
+    const glm::dvec3 pixel = pane.view.pixel({at});
+    if (pixel.z > 0.0)
+        pane.labels.push_back({Label::Role::Axis, glm::vec2(pane.rect.origin) + glm::vec2(pixel), text, color});
+}
+
+}  // namespace
+
+void add_decomposition_marks(Pane& pane, const Scene& scene, const Mesh& mesh,
+                             const Transform<World, Object>& worldFromObject, const FrameOptions& options) {
+    const NormalMatrices& matrices = worldFromObject.normal_matrices_by_rule();
+    const Decomposition parts = decomposition(matrices.naive, matrices.rank);
+    const glm::dvec3 origin = worldFromObject(Point<Object>{}).xyz;
+    const double pixel = options.pixel_scale * pane.view.world_per_pixel({origin});
+    const glm::vec4 ink(theme_colors(scene.theme).text, 1.0f);
+    for (std::size_t i = 0; i < parts.axes.size(); ++i) {
+        const StretchAxis& axis = parts.axes[i];
+        // A little longer than the unit ball's image, so that the ends come out of the object.
+        const glm::dvec3 end = (1.2 * axis.factor) * axis.to.xyz;
+        const double radius = std::max(0.012, 1.6 * pixel);
+        add_arrow(pane.solids, origin, end, radius, ink);
+        add_arrow(pane.solids, origin, -end, radius, ink);
+        char text[40];
+        std::snprintf(text, sizeof text, "\u03C3%s %.2f", std::array{"\u2081", "\u2082", "\u2083"}[i], axis.factor);
+        add_label(pane, origin + 1.08 * end, text, theme_colors(scene.theme).text);
+    }
+
+    if (!parts.worst || parts.worst->degrees < 1e-6 || mesh.normals.empty()) return;
+    const std::size_t vertex = nearest_normal(mesh, *parts.worst);
+    const Normal<Object> n{mesh.normals[vertex]};
+    const auto right = worldFromObject(n);
+    const Normal<World> naive = transform_normal_naively(worldFromObject, n);
+    if (!right || !angle_degrees(naive.xyz, right->xyz)) return;
+    const glm::dvec3 base = worldFromObject(Point<Object>{mesh.positions[vertex]}).xyz;
+    const glm::dvec3 u = glm::normalize(naive.xyz), v = glm::normalize(right->xyz);
+    const double length = std::max(4.6 * scene.arrows.length, 70.0 * pixel),
+                 radius = std::max(0.022 * length, 1.7 * pixel);
+    add_arrow(pane.solids, base, length * u, radius, glm::vec4(kNaiveColor, 1.0f));
+    add_arrow(pane.solids, base, length * v, radius, glm::vec4(kInverseTransposeColor, 1.0f));
+    const std::vector<glm::dvec3> arc = arc_between(base, u, v, 0.6 * length);
+    add_tube(pane.solids, arc, std::max(0.007, 1.1 * pixel), ink);
+    char text[40];
+    std::snprintf(text, sizeof text, "worst %.1f\u00B0", *angle_degrees(u, v));
+    add_label(pane, base + 1.5 * (arc[arc.size() / 2] - base), text, theme_colors(scene.theme).text);
+}
+
+}  // namespace normalscope

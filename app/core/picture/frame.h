@@ -1,0 +1,132 @@
+#pragma once
+
+#include "core/math/camera.h"
+#include "core/math/highlight.h"
+#include "core/scene/mistakes.h"
+#include "core/scene/palette.h"
+#include "core/scene/scene.h"
+#include "core/surface/level_sets.h"
+#include "core/surface/probe.h"
+#include "core/surface/ray_steps.h"
+#include "core/surface/singular_point.h"
+#include "core/surface/surface.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace normalscope {
+
+/// In pixels from the top left of the framebuffer.
+struct PixelRect {
+    glm::ivec2 origin{0};
+    glm::ivec2 size{0};
+    friend bool operator==(const PixelRect&, const PixelRect&) = default;
+};
+
+/// How formulas' surfaces are drawn: as well as can be; while something moves, at half the resolution; and while one types,
+/// as their mesh where they are new, since a driver takes long to compile their program.
+enum class Quality { Fine, Draft, Sketch };
+
+/// The mesh drawn once, by one matrix.
+struct SurfaceDraw {
+    glm::mat4 world_from_object{1.0f};
+    /// Of a formula's surface where M has an inverse: it is met by each pixel's ray, in place of its mesh.
+    std::optional<glm::dmat4> traced_object_from_world;
+    std::optional<NormalMap> normals;  ///< empty: no normals, so no shading
+    /// +1 or −1: what turns the winding that the picture shows into the side that `normals` take for outside. 0: neither
+    /// side is.
+    float outside = 1.0f;
+    glm::vec4 color{1.0f};         ///< alpha below 1: a ghost
+    bool yields = false;           ///< where it lies in another surface, that one is seen
+    glm::vec3 inside_color{1.0f};  ///< of the back of an open surface
+    /// Which triangles are left out: those whose winding in the picture is a back's, or those that truly show the inside,
+    /// where nobody can see them.
+    enum class Cull { None, PictureBacks, Inside } cull = Cull::None;
+    bool mirrored = false;          ///< M reflects: what was counterclockwise is clockwise in the picture
+    bool black_where_zero = false;  ///< as NaN would look, where a normal comes out zero
+    bool by_error = false;          ///< coloured by the naive rule's error instead
+};
+
+/// The surface's arrows drawn once: bases by one matrix, directions by another, length and radius in world units.
+struct ArrowDraw {
+    glm::mat4 world_from_object{1.0f};
+    NormalMap normals;
+    glm::vec3 color{1.0f};
+    float length = 0.1f;
+    float radius = 0.01f;
+    bool two_heads = false;  ///< a shape of its own, for whom colours look alike
+};
+
+/// Corner of a triangle in world space, for what is made anew every frame: the probe's arrows and marks, the axes.
+struct SolidVertex {
+    glm::vec3 position;
+    glm::vec3 normal;  ///< zero: not lit
+    glm::vec4 color;
+};
+
+/// What a symbol of the equations is in the picture: pointing at one lights up the other.
+struct SymbolArrow {
+    Highlight what;
+    glm::dvec3 base{0.0}, vector{0.0};  ///< in world space
+    glm::vec3 color{1.0f};
+};
+
+/// Text beside a place in the picture.
+struct Label {
+    /// A side and a level name parts of a plane, on which they stand in boxes of their own.
+    enum class Role { Title, Axis, Angle, Note, Side, Level } role = Role::Note;
+    glm::vec2 pixel{0.0f};  ///< what it belongs to, from the top left of the framebuffer
+    std::string text;
+    glm::vec3 color{0.0f};
+};
+
+struct LegendEntry {
+    ArrowKind kind;
+    std::string text;
+    glm::vec3 color;
+};
+
+/// One view of the scene: the whole picture, or the half that shows one rule.
+struct Pane {
+    PixelRect rect;
+    Rule rule = Rule::InverseTranspose;
+    CameraView view;
+    std::vector<SurfaceDraw> surfaces;  ///< opaque ones before ghosts
+    std::vector<ArrowDraw> arrows;
+    std::vector<SolidVertex> solids;       ///< opaque triangles
+    std::vector<SolidVertex> translucent;  ///< drawn last, without writing depth
+    std::vector<Label> labels;
+    std::vector<SymbolArrow> symbols;  ///< at the probe, drawn or not
+};
+
+/// A picture as data: what a renderer draws and what the overlay writes on it. Colours are sRGB.
+struct Frame {
+    PixelRect rect;
+    Theme theme = Theme::Light;
+    std::shared_ptr<const Surface> surface;
+    std::vector<Pane> panes;
+    glm::vec3 toward_light{0.0f, 1.0f, 0.0f};
+    /// The naive rule's map and the true one, for the error map; empty where either does not exist.
+    std::optional<std::array<NormalMap, 2>> error_maps;
+    std::optional<glm::vec3> plain_ground;  ///< behind everything, in place of the theme's ground
+    std::optional<float> ground_height;     ///< of the grid; empty: no grid
+    glm::mat3 shadow_from_ground{0.0f};     ///< (x, z, 1) to a disc that is 1 where the object's shadow ends
+    std::vector<LegendEntry> legend;
+    bool error_legend = false;
+    Quality quality = Quality::Fine;
+    std::optional<ProbeInWorld> probe;
+    std::optional<SingularPoint> singular;  ///< where the probe stands on one
+    std::optional<RaySteps> ray;            ///< the scene's
+};
+
+/// Where the arc of the angle, the legend's swatches and the map's key take their colour: error in degrees, 0 … 90.
+glm::vec3 error_color(double degrees);
+
+}  // namespace normalscope

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/math/highlight.h"
+#include "core/picture/frame.h"
+#include "core/surface/level_sets.h"
+
+#include <memory>
+#include <optional>
+
+namespace normalscope {
+
+struct FrameOptions {
+    PixelRect rect;
+    float pixel_scale = 1.0f;              ///< physical pixels per logical one
+    std::optional<int> hot_axis{};         ///< the axis handle under the pointer
+    std::optional<Highlight> highlight{};  ///< what is pointed at in the equations
+    bool handles = true;                   ///< knobs on the axes, to be dragged
+    Quality quality = Quality::Fine;
+    /// The scene's (LevelSetsCache); null: they are made anew.
+    std::shared_ptr<const LevelSets> level_sets{};
+};
+
+}  // namespace normalscope

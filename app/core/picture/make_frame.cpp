@@ -1,0 +1,262 @@
+#include "core/picture/make_frame.h"
+
+#include "core/picture/axis_handles.h"
+#include "core/picture/decomposition_marks.h"
+#include "core/picture/knobs.h"
+#include "core/picture/probe_marks.h"
+#include "core/picture/ray_marks.h"
+#include "core/picture/singular_marks.h"
+#include "core/picture/slice_marks.h"
+#include "core/picture/solids.h"
+#include "core/surface/surface_probe.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace normalscope {
+
+namespace {
+
+using WorldFromObject = Transform<World, Object>;
+
+// Floats reach to 1e38: what M does beyond that cannot be seen anyway.
+template <class M>
+M drawable(const M& m) {
+    M result = m;
+    for (int c = 0; c < M::length(); ++c)
+        for (int r = 0; r < M::col_type::length(); ++r) result[c][r] = std::clamp(m[c][r], -1e15, 1e15);
+    return result;
+}
+
+// Where only directions count, bring the entries near 1, so that floats neither overflow nor vanish.
+NormalMap scaled_for_floats(NormalMap map) {
+    if (map.at_vertices == NormalMap::UnitLength::No && !map.at_pixels) {
+        map.matrix = drawable(map.matrix);
+        return map;
+    }
+    double largest = 0.0;
+    for (int c = 0; c < 4; ++c) largest = std::max(largest, glm::length(glm::dvec3(map.matrix[c])));
+    if (largest > 0.0) map.matrix /= largest;
+    return map;
+}
+
+std::vector<Pane> empty_panes(const Scene& scene, const PixelRect& rect) {
+    if (scene.view != ViewMode::Split)
+        return {Pane{rect, scene.rule, CameraView(scene.camera, rect.size), {}, {}, {}, {}, {}, {}}};
+    const int left = rect.size.x / 2;
+    const PixelRect halves[]{{rect.origin, {left, rect.size.y}},
+                             {rect.origin + glm::ivec2(left, 0), {rect.size.x - left, rect.size.y}}};
+    // Left argues for the naive rule; right for the chosen one.
+    const Rule right = scene.rule == Rule::Naive ? Rule::InverseTranspose : scene.rule;
+    std::vector<Pane> panes;
+    for (const Rule rule : {Rule::Naive, right}) {
+        const PixelRect& half = halves[panes.size()];
+        panes.push_back(
+            Pane{half, rule, CameraView(scene.camera, glm::max(half.size, glm::ivec2(1))), {}, {}, {}, {}, {}, {}});
+    }
+    return panes;
+}
+
+void add_surfaces(Pane& pane, const Scene& scene, const Surface& surface, const WorldFromObject& m, bool ghost,
+                  Quality quality, bool sliced) {
+    const NormalMatrices& matrices = m.normal_matrices_by_rule();
+    const ThemeColors colors = theme_colors(scene.theme);
+    SurfaceDraw object;
+    object.world_from_object = drawable(m.matrix());
+    // What would hide a slice is of glass.
+    object.color = glm::vec4(colors.surface, sliced ? 0.5f : 1.0f);
+    const bool traced = surface.implicit && surface.implicit->region();
+    if (const auto back = m.inverse(); back && traced) object.traced_object_from_world = back->matrix();
+    if (const auto map = normal_map(scene, m, pane.rule)) object.normals = scaled_for_floats(*map);
+    if (scene.cull)
+        object.cull = SurfaceDraw::Cull::PictureBacks;
+    else if (surface.mesh.closed && matrices.rank == 3)
+        object.cull = SurfaceDraw::Cull::Inside;
+    object.mirrored = matrices.determinant < 0.0;
+    object.black_where_zero = scene.mistake == Mistake::ZeroNormal && pane.rule == Rule::Naive;
+    // A reflection turns the picture's winding over. The gradient's outside stays; the cofactor's turns with it.
+    object.outside = matrices.determinant < 0.0 && pane.rule != Rule::Cofactor ? -1.0f : 1.0f;
+    // Flattened, front and back lie in the same place, and neither is an inside. Their naive normals are the same, too:
+    // turning one over would make them flicker. The cofactor's are opposite, and each belongs to its winding.
+    if (matrices.rank < 3 && pane.rule != Rule::Cofactor) object.outside = 0.0f;
+    object.inside_color = matrices.rank < 3 ? colors.surface : colors.inside;
+    object.by_error = scene.color == SurfaceColor::Error;
+    pane.surfaces.push_back(object);
+    if (!ghost) return;
+    SurfaceDraw shell;
+    if (traced && quality == Quality::Fine) shell.traced_object_from_world = glm::dmat4(1.0);
+    shell.cull = SurfaceDraw::Cull::Inside;
+    shell.normals = NormalMap{};
+    shell.color = glm::vec4(colors.ghost, 0.55f);
+    shell.yields = true;
+    pane.surfaces.push_back(shell);
+}
+
+void add_arrows(Pane& pane, const Scene& scene, const WorldFromObject& m) {
+    const auto length = static_cast<float>(2.0 * scene.arrows.length);  // in diameters of the unit ball
+    const auto draw = [&](const glm::dmat4& points, const NormalMap& normals, ArrowKind kind) {
+        const float radius = std::clamp(0.042f * length, 0.003f, 0.025f);
+        pane.arrows.push_back({drawable(points), scaled_for_floats(normals), arrow_color(kind, scene.theme), length,
+                               kind == ArrowKind::Object ? ArrowProportions::kOfObject * radius : radius,
+                               kind == ArrowKind::Cofactor});
+    };
+    for (const ArrowKind kind : shown_arrows(scene, pane.rule)) {
+        if (kind == ArrowKind::Object) {
+            if (scene.show.ghost) draw(glm::dmat4(1.0), {}, kind);
+        } else if (const auto map = normal_map(scene, m, kRules[static_cast<std::size_t>(kind) - 1])) {
+            draw(m.matrix(), *map, kind);
+        }
+    }
+}
+
+void add_axes(Pane& pane, const Scene& scene, const glm::dvec3& extent, const FrameOptions& options) {
+    for (const AxisHandle& handle : axis_handles(scene, extent)) {
+        const glm::vec3 color = kAxisColors[static_cast<std::size_t>(handle.axis)];
+        const bool hot = options.hot_axis == handle.axis;
+        const double thickness = std::max(0.010, 1.4 * options.pixel_scale * pane.view.world_per_pixel(handle.origin));
+        const glm::dvec3 knob = handle.knob().xyz;
+        add_tube(pane.solids, std::array{handle.origin.xyz, knob}, thickness, glm::vec4(color, 1.0f));
+        const double half = (hot ? 8.5 : 6.5) * options.pixel_scale * pane.view.world_per_pixel(handle.knob());
+        if (options.handles)
+            add_cube(pane.solids, knob, handle.unit.xyz, half,
+                     glm::vec4(hot ? glm::mix(color, glm::vec3(1.0f), 0.35f) : color, 1.0f));
+        const glm::dvec3 at =
+            pane.view.pixel({knob + 2.6 * half * glm::normalize(handle.unit.xyz) * (handle.factor < 0.0 ? -1.0 : 1.0)});
+        if (at.z > 0.0)
+            pane.labels.push_back({Label::Role::Axis, glm::vec2(pane.rect.origin) + glm::vec2(at),
+                                   std::string(1, "xyz"[handle.axis]), color});
+    }
+}
+
+void add_knobs(Pane& pane, const Scene& scene, const WorldFromObject& m, const FrameOptions& options) {
+    const glm::vec4 ink(theme_colors(scene.theme).text, 1.0f);
+    for (const Knob& knob : knobs(scene, m, pane.view)) {
+        const double pixel = options.pixel_scale * pane.view.world_per_pixel(knob.at);
+        if (knob.what != Knob::What::Slice) {
+            add_cube(pane.solids, knob.at.xyz, pane.view.up().xyz, 6.0 * pixel, ink);
+            continue;
+        }
+        const glm::dvec3 along = glm::normalize(knob.along.xyz);
+        add_cube(pane.solids, knob.at.xyz, along, 6.5 * pixel, ink);
+        for (const double side : {-1.0, 1.0})
+            add_arrow(pane.solids, knob.at.xyz, side * 26.0 * pixel * along, 1.6 * pixel, ink);
+    }
+}
+
+// The blob under the object: the shadow of M's image of the unit ball in light from straight above. With A the x and z
+// rows of M3, the shadow is the ellipse pᵀ (A Aᵀ)⁻¹ p ≤ 1; Cholesky's A Aᵀ = L Lᵀ turns it into the disc |L⁻¹ p| ≤ 1.
+glm::mat3 shadow_disc(const WorldFromObject& m) {
+    const glm::dmat3& m3 = m.normal_matrices_by_rule().naive;
+    const glm::dvec3 x(m3[0].x, m3[1].x, m3[2].x), z(m3[0].z, m3[1].z, m3[2].z);
+    constexpr double kSoft = 0.02;  // keeps the shadow of a flattened object from vanishing
+    const double l11 = std::sqrt(glm::dot(x, x) + kSoft), l21 = glm::dot(x, z) / l11;
+    const double l22 = std::sqrt(std::max(glm::dot(z, z) + kSoft - l21 * l21, kSoft));
+    const glm::dvec3 centre = m(Point<Object>{}).xyz;
+    glm::dmat3 disc(1.0 / l11, -l21 / (l11 * l22), 0.0, 0.0, 1.0 / l22, 0.0, 0.0, 0.0, 1.0);
+    disc[2] -= disc * glm::dvec3(centre.x, centre.z, 0.0);
+    return drawable(disc);
+}
+
+// The lowest point of object and ghost; a few thousand vertices tell it well enough, every frame.
+float ground_height(const Mesh& mesh, const WorldFromObject& m, bool ghost) {
+    double lowest = 1e9;
+    const std::size_t step = 1 + mesh.positions.size() / 20000;
+    for (std::size_t i = 0; i < mesh.positions.size(); i += step)
+        lowest = std::min({lowest, m(Point<Object>{mesh.positions[i]}).xyz.y, ghost ? mesh.positions[i].y : 1e9});
+    return static_cast<float>(std::clamp(lowest, -1e6, 1e6) - 0.01);
+}
+
+void add_legend(Frame& frame, const Scene& scene, const NormalMatrices& matrices) {
+    frame.error_legend = scene.color == SurfaceColor::Error && frame.error_maps.has_value();
+    for (const ArrowKind kind : kArrowKinds) {
+        const bool shown = std::ranges::any_of(frame.panes, [&](const Pane& pane) {
+            return std::ranges::count(shown_arrows(scene, pane.rule), kind) > 0;
+        });
+        if (!shown || (kind == ArrowKind::Object && !scene.show.ghost)) continue;
+        // Each half's title names its own.
+        if (scene.view == ViewMode::Split &&
+            std::ranges::any_of(frame.panes, [&](const Pane& pane) { return arrow_kind(pane.rule) == kind; }))
+            continue;
+        std::string text = "n of the object";
+        if (kind != ArrowKind::Object) {
+            const Rule rule = kRules[static_cast<std::size_t>(kind) - 1];
+            const MistakeText mistake = normalscope::text(scene.mistake);
+            const std::array<std::string_view, 3> titles{mistake.title, "inverse transpose", "cofactor"};
+            text = std::string(titles[static_cast<std::size_t>(rule)]) + "  " +
+                   std::string(rule == Rule::Naive ? mistake.formula : formula(rule));
+            if (!matrices.by(rule))
+                text += "  does not exist";
+            else if (rule == Rule::Cofactor && matrices.rank < 2)
+                text += "  is zero";
+        }
+        frame.legend.push_back({kind, text, arrow_color(kind, scene.theme)});
+    }
+}
+
+}  // namespace
+
+Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, const FrameOptions& options) {
+    const WorldFromObject m = world_from_object(scene);
+    const NormalMatrices& matrices = m.normal_matrices_by_rule();
+
+    Frame frame;
+    frame.rect = options.rect;
+    frame.quality = options.quality;
+    frame.theme = scene.theme;
+    frame.surface = std::move(surface);
+    frame.toward_light = toward(scene.light).xyz;
+    if (const auto wrong = normal_map(scene, m, Rule::Naive), right = normal_map(scene, m, Rule::InverseTranspose);
+        wrong && right)
+        frame.error_maps = {scaled_for_floats(*wrong), scaled_for_floats(*right)};
+    // At rest on the object, the ghost would only flicker.
+    const bool ghost =
+        scene.show.ghost && (scene.view == ViewMode::Overlay || scene.ray) && m.matrix() != glm::dmat4(1.0);
+    if (scene.show.grid) frame.ground_height = ground_height(frame.surface->mesh, m, ghost);
+    frame.shadow_from_ground = shadow_disc(m);
+    frame.panes = empty_panes(scene, options.rect);
+
+    std::optional<Probe> probe;
+    const CameraView& view = frame.panes.front().view;
+    if (scene.probe)
+        probe = nearest_probe(*frame.surface, *scene.probe, scene.borrow);
+    else
+        probe = probe_in_view(*frame.surface, m, view, 0.5 * glm::dvec2(frame.panes.front().rect.size), scene.borrow);
+    if (probe) frame.probe = in_world(*probe, m, scene);
+    if (probe && probe->singular) frame.singular = singular_point(*frame.surface->implicit, probe->point, scene.borrow);
+    if (scene.ray) frame.ray = ray_steps(scene, *frame.surface, m, view);
+
+    const std::shared_ptr<const LevelSets> slice =
+        options.level_sets ? options.level_sets : level_sets(scene, frame.surface->implicit.get());
+    for (Pane& pane : frame.panes) {
+        add_surfaces(pane, scene, *frame.surface, m, ghost, options.quality, slice != nullptr);
+        if (slice) add_slice(pane, scene, *slice, m, ghost, options);
+        add_arrows(pane, scene, m);
+        if (scene.show.axes) add_axes(pane, scene, frame.surface->extent, options);
+        if (frame.probe) add_probe_marks(pane, scene, *frame.probe, options);
+        if (frame.singular) add_singular_marks(pane, scene, *frame.singular, m, options);
+        if (options.handles) add_knobs(pane, scene, m, options);
+        if (frame.ray) add_ray_marks(pane, scene, *frame.ray, m, ghost, options);
+        if (scene.show.stretch_axes) add_decomposition_marks(pane, scene, frame.surface->mesh, m, options);
+        if (scene.view == ViewMode::Split) {
+            const MistakeText mistake = normalscope::text(scene.mistake);
+            const bool other = scene.mistake != Mistake::Naive;
+            const std::array<std::string_view, 3> titles{other ? mistake.title : "Naive", "Inverse transpose",
+                                                         "Cofactor"};
+            pane.labels.push_back(
+                {Label::Role::Title,
+                 glm::vec2(pane.rect.origin) + glm::vec2(0.5f * static_cast<float>(pane.rect.size.x), 0.0f),
+                 std::string(titles[static_cast<std::size_t>(pane.rule)]) + "   " +
+                     std::string(pane.rule == Rule::Naive ? mistake.formula : formula(pane.rule)),
+                 rule_color(pane.rule)});
+        }
+    }
+    if (scene.show.legend) add_legend(frame, scene, matrices);
+    return frame;
+}
+
+}  // namespace normalscope

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/picture/frame.h"
+
+#include <optional>
+
+namespace normalscope {
+
+/// The pane that a pixel of the framebuffer lies in; none outside the picture.
+const Pane* pane_at(const Frame& frame, glm::dvec2 pixel);
+
+/// The surface's point that a click means: the site of the arrow within `reach` pixels, or what the ray meets,
+/// whichever is nearer to the eye. `pixel` is of the framebuffer.
+std::optional<Point<Object>> picked_point(const Frame& frame, const Transform<World, Object>& worldFromObject,
+                                          glm::dvec2 pixel, double reach);
+
+/// What the arrow of the probe within `reach` pixels is in the equations.
+std::optional<Highlight> highlight_at(const Frame& frame, glm::dvec2 pixel, double reach);
+
+/// A ball around the transformed object.
+struct WorldBall {
+    Point<World> centre;
+    double radius = 0.0;
+};
+WorldBall bounding_ball(const Mesh& mesh, const Transform<World, Object>& worldFromObject);
+
+}  // namespace normalscope

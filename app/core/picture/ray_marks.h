@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/picture/frame.h"
+#include "core/picture/frame_options.h"
+
+namespace normalscope {
+
+/// The ray as far as it has been followed: in the world, and in grey in object space.
+void add_ray_marks(Pane& pane, const Scene& scene, const RaySteps& ray, const Transform<World, Object>& worldFromObject,
+                   bool ghost, const FrameOptions& options);
+
+}  // namespace normalscope

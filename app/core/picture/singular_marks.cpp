@@ -1,0 +1,80 @@
+#include "core/picture/singular_marks.h"
+
+#include "core/picture/frame_options.h"
+#include "core/picture/label_room.h"
+#include "core/picture/solids.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace normalscope {
+
+namespace {
+
+constexpr double kApart = 0.978;  ///< cosine of 12°: how far the fan's arrows stand apart at least
+
+// So many of the normals that no two crowd each other.
+std::vector<glm::dvec3> thinned(const std::vector<std::vector<glm::dvec3>>& curves) {
+    std::vector<glm::dvec3> kept;
+    for (const auto& curve : curves)
+        for (const glm::dvec3& n : curve)
+            if (std::ranges::none_of(kept, [&](const glm::dvec3& k) { return glm::dot(k, n) > kApart; }))
+                kept.push_back(n);
+    return kept;
+}
+
+}  // namespace
+
+void add_singular_marks(Pane& pane, const Scene& scene, const SingularPoint& singular,
+                        const Transform<World, Object>& worldFromObject, const FrameOptions& options) {
+    if (!scene.show.probe) return;
+    const Point<World> at = worldFromObject(singular.at);
+    const double pixel = options.pixel_scale * pane.view.world_per_pixel(at);
+    const double length = 0.8 * std::max(4.6 * scene.arrows.length, 70.0 * pixel);
+    const glm::vec3 ink = theme_colors(scene.theme).text, color = rule_color(pane.rule);
+    LabelRoom room(pane, options.pixel_scale);
+    std::optional<glm::dvec3> lent;  // the tip of the normal that is borrowed
+
+    if (const auto map = normal_map(scene, worldFromObject, pane.rule)) {
+        std::vector<std::vector<glm::dvec3>> fan;
+        for (const auto& curve : singular.fan) {
+            fan.emplace_back();
+            for (const Normal<Object>& n : curve)
+                if (const glm::dvec3 world = (*map)(n).xyz; glm::length(world) > 0.0)
+                    fan.back().push_back(glm::normalize(world));
+        }
+        for (const auto& curve : fan)
+            for (std::size_t i = 0; i + 1 < curve.size(); ++i)
+                for (const glm::dvec3& corner : {glm::dvec3(0.0), curve[i], curve[i + 1]})
+                    pane.translucent.push_back(
+                        {glm::vec3(at.xyz + 0.9 * length * corner), glm::vec3(0.0f), glm::vec4(color, 0.22f)});
+        const double radius = std::max(0.010, 1.25 * pixel);
+        for (const glm::dvec3& n : thinned(fan)) {
+            add_arrow(pane.solids, at.xyz, length * n, radius, glm::vec4(color, 1.0f));
+            room.keep_clear(at.xyz, at.xyz + length * n);
+        }
+        if (singular.lender) {
+            const Point<World> from = worldFromObject(singular.lender->point);
+            add_tube(pane.solids, std::array{at.xyz, from.xyz}, std::max(0.008, 1.2 * pixel), glm::vec4(ink, 1.0f));
+            add_ball(pane.solids, from.xyz, 3.6 * pixel, glm::vec4(ink, 1.0f));
+            if (const glm::dvec3 n = (*map)(singular.lender->normal).xyz; glm::length(n) > 0.0) {
+                // Longer than the fan's, which it would be lost among.
+                lent = from.xyz + 1.35 * length * glm::normalize(n);
+                add_arrow(pane.solids, from.xyz, *lent - from.xyz, 2.0 * radius, glm::vec4(color, 1.0f));
+                room.keep_clear(from.xyz, *lent);
+            }
+        }
+    }
+    add_ball(pane.solids, at.xyz, 4.2 * pixel, glm::vec4(ink, 1.0f));
+    const glm::dvec3 beside = at.xyz + (1.05 * length) * pane.view.right().xyz;
+    if (lent) room.put_beside(*lent, "borrowed from this neighbour", color);
+    room.put_beside(beside,
+                    singular.undefined ? "no normal here: \u2207f does not exist" : "no normal here: \u2207f = 0", ink);
+}
+
+}  // namespace normalscope

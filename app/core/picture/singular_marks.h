@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/picture/frame.h"
+#include "core/picture/frame_options.h"
+
+namespace normalscope {
+
+/// "No normal here", the fan of the normals all around, and the neighbour that lends its own.
+void add_singular_marks(Pane& pane, const Scene& scene, const SingularPoint& singular,
+                        const Transform<World, Object>& worldFromObject, const FrameOptions& options);
+
+}  // namespace normalscope

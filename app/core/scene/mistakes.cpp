@@ -1,0 +1,140 @@
+#include "core/scene/mistakes.h"
+
+#include <algorithm>
+
+namespace normalscope {
+
+namespace {
+
+// The product of the entries' inverse transposes in the reverse order, as of one who takes A⁻¹ B⁻¹ for (AB)⁻¹.
+std::optional<glm::dmat3> inverses_not_reversed(const std::vector<StackEntry>& stack) {
+    glm::dmat3 composite(1.0);
+    for (const StackEntry& entry : stack) {
+        const auto single = normal_matrices(glm::dmat3(matrix(entry))).inverse_transpose;
+        if (!single) return std::nullopt;
+        composite = composite * *single;
+    }
+    return composite;
+}
+
+// Each column divided by the square of its length: the inverse transpose of a rotation after a scale, but of no shear.
+glm::dmat3 divided_by_scale_squared(const glm::dmat3& m3) {
+    glm::dmat3 result = m3;
+    for (int c = 0; c < 3; ++c)
+        if (const double length2 = glm::dot(m3[c], m3[c]); length2 > 0.0) result[c] /= length2;
+    return result;
+}
+
+// (M⁻¹)ᵀ as a 4×4 matrix: its bottom row, −(M3⁻¹ t)ᵀ, puts the translation into w.
+glm::dmat4 inverse_transpose_4x4(const glm::dmat3& inverse_transpose, const glm::dvec3& translation) {
+    glm::dmat4 result(inverse_transpose);
+    const glm::dvec3 back = glm::transpose(inverse_transpose) * translation;
+    for (int c = 0; c < 3; ++c) result[c].w = -back[c];
+    return result;
+}
+
+std::optional<NormalMap> mistaken_map(const Scene& scene, const Transform<World, Object>& m) {
+    const NormalMatrices& matrices = m.normal_matrices_by_rule();
+    const auto linear = [](const std::optional<glm::dmat3>& n) {
+        return n ? std::optional(NormalMap{.matrix = glm::dmat4(*n)}) : std::nullopt;
+    };
+    switch (scene.mistake) {
+        case Mistake::Naive:
+        case Mistake::ModelView:
+        case Mistake::ZeroNormal: return linear(matrices.naive);
+        case Mistake::InversesNotReversed: return linear(inverses_not_reversed(applied_stack(scene)));
+        case Mistake::NotTransposed:
+            return linear(matrices.inverse_transpose ? std::optional(glm::transpose(*matrices.inverse_transpose))
+                                                     : std::nullopt);
+        case Mistake::NotInverted: return linear(glm::transpose(matrices.naive));
+        case Mistake::WOne: return NormalMap{.matrix = m.matrix(), .w = 1.0};
+        case Mistake::DivideByScaleSquared: return linear(divided_by_scale_squared(matrices.naive));
+        case Mistake::TangentsByInverseTranspose:
+        case Mistake::TangentsByCofactor: return linear(matrices.inverse_transpose);
+        case Mistake::LeakingTranslation:
+            if (!matrices.inverse_transpose) return std::nullopt;
+            return NormalMap{.matrix = inverse_transpose_4x4(*matrices.inverse_transpose, glm::dvec3(m.matrix()[3])),
+                             .at_vertices = NormalMap::UnitLength::WithW,
+                             .at_pixels = false};
+        case Mistake::NoRenormalisation:
+            if (!matrices.inverse_transpose) return std::nullopt;
+            return NormalMap{.matrix = glm::dmat4(*matrices.inverse_transpose), .at_pixels = false};
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<NormalMap> normal_map(const Scene& scene, const Transform<World, Object>& worldFromObject, Rule rule) {
+    const NormalMatrices& matrices = worldFromObject.normal_matrices_by_rule();
+    std::optional<NormalMap> map;
+    if (rule == Rule::Naive)
+        map = mistaken_map(scene, worldFromObject);
+    else if (const auto n = matrices.by(rule); n && (rule != Rule::Cofactor || matrices.rank >= 2))
+        map = NormalMap{.matrix = glm::dmat4(*n)};
+    if (map && map->at_pixels && !scene.renormalise) {
+        map->at_pixels = false;
+        map->at_vertices = NormalMap::UnitLength::WithoutW;
+    }
+    return map;
+}
+
+glm::dmat3 tangent_matrix(const Scene& scene, const Transform<World, Object>& worldFromObject) {
+    const NormalMatrices& matrices = worldFromObject.normal_matrices_by_rule();
+    if (scene.rule == Rule::Naive) {
+        if (scene.mistake == Mistake::TangentsByInverseTranspose && matrices.inverse_transpose)
+            return *matrices.inverse_transpose;
+        if (scene.mistake == Mistake::TangentsByCofactor) return matrices.cofactor;
+    }
+    return matrices.naive;
+}
+
+MistakeText text(Mistake mistake) {
+    switch (mistake) {
+        case Mistake::Naive:
+            return {"naive", "M n",
+                    "A normal is not a vector between two points: it must keep its right angle, not its ends."};
+        case Mistake::InversesNotReversed:
+            return {"inverses not reversed", "(A⁻¹B⁻¹)ᵀ n", "(AB)⁻¹ is B⁻¹A⁻¹: inverting turns the order over."};
+        case Mistake::NotTransposed: return {"not transposed", "M⁻¹ n", "The inverse alone goes back to object space."};
+        case Mistake::NotInverted:
+            return {"not inverted", "Mᵀ n", "The transpose alone undoes rotations and keeps the scales."};
+        case Mistake::WOne:
+            return {"w = 1", "M (n, 1)",
+                    "A normal sent as a point takes the translation along: the farther the object moves, the more all "
+                    "normals agree."};
+        case Mistake::LeakingTranslation:
+            return {"translation in w", "(M⁻¹)ᵀ (n, 0)",
+                    "The 4×4 inverse transpose writes the translation into w; normalised with it, the normal is too "
+                    "short and the light too dim."};
+        case Mistake::ModelView:
+            return {"mat3(modelView)", "mat3(V M) n",
+                    "The view only rotates, so this is the naive rule in another dress: right until someone scales "
+                    "unevenly."};
+        case Mistake::DivideByScaleSquared:
+            return {"divided by scale²", "M n / s²",
+                    "Dividing each column by its squared length inverts scales after which one only rotates. A shear "
+                    "breaks it."};
+        case Mistake::NoRenormalisation:
+            return {"not renormalised", "(M⁻¹)ᵀ n, as long as it is",
+                    "The direction is right, the length is not: light comes out too bright or too dim."};
+        case Mistake::ZeroNormal:
+            return {"zero normal", "M n / |M n|",
+                    "Flattened, some normals become zero; divided by their length they become NaN, and black spots."};
+        case Mistake::TangentsByInverseTranspose:
+            return {"tangents by (M⁻¹)ᵀ", "(M⁻¹)ᵀ v",
+                    "Tangents join points of the surface: they go by M, or they leave it."};
+        case Mistake::TangentsByCofactor:
+            return {"tangents by cof(M)", "cof(M) v",
+                    "The cofactor is for surface elements, two tangents at once; one alone goes by M."};
+    }
+    return {};
+}
+
+std::string_view normal_formula(Rule rule, Mistake mistake) {
+    if (rule != Rule::Naive) return formula(rule);
+    if (about_tangents(mistake) || mistake == Mistake::NoRenormalisation) return formula(Rule::InverseTranspose);
+    return text(mistake).formula;
+}
+
+}  // namespace normalscope

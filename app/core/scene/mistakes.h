@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/math/normal_map.h"
+#include "core/scene/scene.h"
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace normalscope {
+
+/// The map that a rule stands for in this scene; empty where the rule gives no normal at all. For Rule::Naive it is
+/// the scene's mistake.
+std::optional<NormalMap> normal_map(const Scene& scene, const Transform<World, Object>& worldFromObject, Rule rule);
+
+/// The 3×3 matrix that the scene sends tangents through: M3, unless its mistake is about tangents and is being shown.
+glm::dmat3 tangent_matrix(const Scene& scene, const Transform<World, Object>& worldFromObject);
+
+/// A mistake's short title, what it looks like as a formula, and why it is one: for labels and for the panel.
+struct MistakeText {
+    std::string_view title, formula, reason;
+};
+MistakeText text(Mistake mistake);
+
+/// What gives `rule`'s normals in a scene with this mistake, short enough for a table: "M n", "M (n, 1)", …
+std::string_view normal_formula(Rule rule, Mistake mistake);
+/// Whether the mistake is about tangents: then the normals are right, and what they are held against is not.
+constexpr bool about_tangents(Mistake mistake) {
+    return mistake == Mistake::TangentsByInverseTranspose || mistake == Mistake::TangentsByCofactor;
+}
+
+}  // namespace normalscope

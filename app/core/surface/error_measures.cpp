@@ -1,0 +1,83 @@
+#include "core/surface/error_measures.h"
+
+#include "core/surface/surface.h"
+
+#include <glm/exponential.hpp>
+#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace normalscope {
+
+namespace {
+
+// Evenly spread over half the sphere, as −n is as far off as n: the golden angle's spiral.
+std::vector<glm::dvec3> directions(std::size_t count) {
+    std::vector<glm::dvec3> result(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double z = (static_cast<double>(i) + 0.5) / static_cast<double>(count), r = std::sqrt(1.0 - z * z);
+        const double angle = static_cast<double>(i) * std::numbers::pi * (3.0 - std::sqrt(5.0));
+        result[i] = {r * std::cos(angle), r * std::sin(angle), z};
+    }
+    return result;
+}
+
+}  // namespace
+
+std::optional<ErrorHistogram> error_histogram(const Mesh& mesh, const NormalMap& naive, const NormalMatrices& matrices,
+                                              std::size_t most) {
+    if (!matrices.inverse_transpose || mesh.normals.empty()) return std::nullopt;
+    const std::size_t step = std::max<std::size_t>(mesh.normals.size() / std::max<std::size_t>(most, 1), 1);
+    ErrorHistogram histogram;
+    std::array<double, 90> bins{};
+    std::size_t count = 0;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < mesh.normals.size(); i += step) {
+        const glm::dvec3& n = mesh.normals[i];
+        const auto error = angle_degrees(naive({n}).xyz, *matrices.inverse_transpose * n);
+        if (!error) continue;
+        // What is right but for rounding belongs into the first bin, and 90° into the one before it.
+        const auto bin = static_cast<std::size_t>(std::max(*error - 1e-9, 0.0) / histogram.bin_degrees);
+        bins[std::min(bin, bins.size() - 1)] += 1.0;
+        histogram.worst_degrees = std::max(histogram.worst_degrees, *error);
+        sum += *error;
+        ++count;
+    }
+    if (count == 0) return std::nullopt;
+    histogram.mean_degrees = sum / static_cast<double>(count);
+    if (histogram.worst_degrees > 90.0 + 1e-6) histogram.most_degrees = 180.0;
+    const auto used = static_cast<std::ptrdiff_t>(histogram.most_degrees / histogram.bin_degrees);
+    histogram.shares.assign(bins.begin(), bins.begin() + used);
+    for (double& share : histogram.shares) share /= static_cast<double>(count);
+    return histogram;
+}
+
+std::vector<MeasuredError> measured_errors(const glm::dmat3& m3) {
+    static const std::vector<glm::dvec3> kDirections = directions(500);
+    constexpr int kSteps = 12;
+    const SingularValues svd = singular_values(m3);
+    glm::dvec3 logs(1.0, 0.0, -1.0);
+    const double unevenness = svd.sigma.z > 0.0 ? std::log(svd.sigma.x / svd.sigma.z) : 0.0;
+    if (unevenness > 1e-6) logs = glm::log(svd.sigma) - (std::log(svd.sigma.x) + std::log(svd.sigma.z)) / 2.0;
+    logs /= logs.x - logs.z;  // from here on, k = eᵗ
+    std::vector<MeasuredError> result;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double t = std::log(100.0) * i / kSteps;
+        const glm::dvec3 sigma = glm::exp(t * logs);
+        const glm::dmat3 stretch(svd.v[0] * sigma.x, svd.v[1] * sigma.y, svd.v[2] * sigma.z);
+        const NormalMatrices matrices = normal_matrices(svd.u * glm::transpose(stretch));
+        MeasuredError measured{.k = std::exp(t)};
+        for (const glm::dvec3& n : kDirections)
+            measured.degrees = std::max(measured.degrees, error_degrees(matrices, {n}).value_or(0.0));
+        result.push_back(measured);
+    }
+    return result;
+}
+
+double error_bound_degrees(double k) { return glm::degrees(std::atan(k) - std::atan(1.0 / k)); }
+
+}  // namespace normalscope

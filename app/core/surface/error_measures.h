@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/math/normal_rules.h"
+#include "core/mesh/mesh.h"
+#include "core/scene/mistakes.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace normalscope {
+
+/// How a rule's error is spread over the normals of a surface.
+struct ErrorHistogram {
+    double bin_degrees = 2.0;
+    double most_degrees = 90.0;  ///< where the last bin ends: 180 where a mistake turns normals farther than 90°
+    std::vector<double> shares;  ///< of the normals, a bin; they add up to 1
+    double worst_degrees = 0.0, mean_degrees = 0.0;
+};
+/// Of at most `most` normals, evenly picked, so that a large mesh does not slow down the dragging. Empty where the
+/// inverse transpose does not exist, or the surface has no normal.
+std::optional<ErrorHistogram> error_histogram(const Mesh& mesh, const NormalMap& naive, const NormalMatrices& matrices,
+                                              std::size_t most = 4000);
+
+struct MeasuredError {
+    double k = 1.0;        ///< σmax/σmin
+    double degrees = 0.0;  ///< the worst that was met
+};
+/// The naive rule's worst error over directions all around, for M3 with its stretch made smaller and larger along the
+/// same axes: k from 1 to 100. From M3 = U Σ Vᵀ: the maps U Σᵗ Vᵀ; where M3 stretches evenly or not at all, some
+/// uneven stretch takes Σ's place.
+std::vector<MeasuredError> measured_errors(const glm::dmat3& m3);
+
+/// The closed form that they should meet: atan k − atan 1/k.
+double error_bound_degrees(double k);
+
+}  // namespace normalscope

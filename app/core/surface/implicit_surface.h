@@ -1,0 +1,78 @@
+#pragma once
+
+#include "core/formula/evaluate.h"
+#include "core/formula/formula.h"
+#include "core/formula/glsl.h"
+#include "core/formula/roots.h"
+#include "core/math/camera.h"
+#include "core/mesh/mesh.h"
+#include "core/scene/scene.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace normalscope {
+
+/// f(x, y, z) = 0 within a ball or a cube, ready to be evaluated, met by rays and drawn. Object space, immutable.
+class ImplicitSurface {
+public:
+    /// Throws InputError for a formula that cannot be read, or has no derivatives that fit.
+    explicit ImplicitSurface(const FormulaSurface& source);
+
+    const FormulaSurface& source() const { return source_; }
+    const formulas::Formula& formula() const { return *formula_; }
+    /// f with values for its parameters.
+    const formulas::Program& program() const { return program_; }
+    /// f and ∇f for the graphics processor; the parameters are uniforms. The same for all values of the parameters.
+    const formulas::Glsl& glsl() const { return *glsl_; }
+    /// The degree in x, y, z whatever the parameters are; empty where f is no polynomial.
+    std::optional<int> degree() const { return degree_; }
+    /// f is 0 wherever it has a value: not a surface.
+    bool zero_everywhere() const { return zero_everywhere_; }
+    /// A point around which f is 0 throughout, where it changes its sign nowhere: a solid in place of a surface.
+    const std::optional<glm::dvec3>& zero_throughout() const { return zero_throughout_; }
+
+    /// Where in the ball or cube f = 0 may lie, and somewhat more. Empty where f has no zero there at all, or no surface.
+    const std::optional<formulas::Box>& region() const { return region_; }
+    bool inside_clip(const glm::dvec3& p) const;
+    /// Points all over the ball or cube, as of a grid with so many a side, but off the planes of symmetry, on which f may be
+    /// 0, or a way down |f| end on a ridge.
+    std::vector<glm::dvec3> points_throughout(int a_side) const;
+
+    formulas::Sample at(Point<Object> p) const { return formulas::sample(program_, p.xyz); }
+
+    /// The first point of the surface that the ray meets: t in lengths of its direction.
+    std::optional<double> first_hit(const Ray<Object>& ray, formulas::Effort* effort = nullptr) const;
+    /// All of them within the clip, in order.
+    std::vector<formulas::Root> hits(const Ray<Object>& ray, formulas::Wanted wanted,
+                                     formulas::Effort* effort = nullptr) const;
+    /// The part of the ray within the clip; empty where it misses.
+    std::optional<std::array<double, 2>> clipped(const Ray<Object>& ray) const;
+
+    /// Goes down the gradient from `p` to f = 0: Newton's steps. Empty where they do not come to rest within `reach`.
+    std::optional<Point<Object>> onto_surface(Point<Object> p, double reach) const;
+
+private:
+    FormulaSurface source_;
+    std::shared_ptr<const formulas::Formula> formula_;
+    std::shared_ptr<const formulas::Glsl> glsl_;
+    std::optional<int> degree_;
+    formulas::Program program_;
+    std::optional<formulas::RayTracer> tracer_;
+    bool zero_everywhere_ = false;
+    std::optional<glm::dvec3> zero_throughout_;
+    std::optional<formulas::Box> region_;
+};
+
+/// "f(x, y, z)", "∂f/∂x", "∂f/∂y" or "∂f/∂z": what each line of a formula's writing is about.
+inline constexpr std::array<std::string_view, 4> kFormulaNames{"f(x, y, z)", "∂f/∂x", "∂f/∂y", "∂f/∂z"};
+
+/// Triangles near the surface with their vertices on it and exact normals there: where its arrows stand, what is drawn
+/// where M has no inverse, what errors are measured over. `cells` a side.
+Mesh polygonised(const ImplicitSurface& surface, int cells);
+
+}  // namespace normalscope

@@ -1,0 +1,246 @@
+// Surface nets (Gibson, "Constrained elastic surface nets", 1998): a vertex in each cell of a grid whose corners differ in
+// sign, a quad across each edge whose ends do. Every vertex then goes down the gradient onto the surface itself.
+
+#include "core/mesh/closed_mesh.h"
+#include "core/surface/implicit_surface.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace normalscope {
+
+namespace {
+
+constexpr std::uint32_t kNoVertex = ~std::uint32_t{0};
+constexpr int kNewtonSteps = 8;
+
+class SurfaceNet {
+public:
+    SurfaceNet(const ImplicitSurface& surface, const formulas::Box& box, int cells) : surface_(surface), low_(box.low) {
+        const glm::dvec3 size = box.high - box.low;
+        step_ = std::max({size.x, size.y, size.z}) / cells;
+        counts_ = glm::max(glm::ivec3(glm::ceil(size / step_ - 1e-9)), 1);
+        evaluate();
+        add_vertices();
+        descend();
+        add_quads();
+        trim();
+    }
+
+    Mesh mesh();
+
+private:
+    glm::dvec3 corner(const glm::ivec3& c) const { return low_ + step_ * glm::dvec3(c); }
+    std::size_t corner_index(const glm::ivec3& c) const {
+        return (static_cast<std::size_t>(c.z) * static_cast<std::size_t>(counts_.y + 1) +
+                static_cast<std::size_t>(c.y)) *
+                   static_cast<std::size_t>(counts_.x + 1) +
+               static_cast<std::size_t>(c.x);
+    }
+    template <class F>
+    void each_cell(F&& f) const {
+        for (glm::ivec3 c(0); c.z < counts_.z; ++c.z)
+            for (c.y = 0; c.y < counts_.y; ++c.y)
+                for (c.x = 0; c.x < counts_.x; ++c.x) f(c);
+    }
+
+    void evaluate();
+    void add_vertices();
+    void descend();
+    void add_quads();
+    void add_quad(const std::array<std::uint32_t, 4>& q);
+    void trim();
+    glm::dvec3 onto_clip(glm::dvec3 p) const;
+
+    const ImplicitSurface& surface_;
+    glm::dvec3 low_;
+    double step_ = 0.0;
+    glm::ivec3 counts_{0};
+    std::vector<double> values_;           // at the corners
+    std::vector<std::uint32_t> vertices_;  // of the cell whose lowest corner it is
+    std::vector<glm::dvec3> positions_, gradients_;
+    std::vector<double> sizes_;  // of f around each vertex
+    std::vector<bool> lost_;     // no zero there after all, but a pole
+    std::vector<glm::uvec3> triangles_;
+};
+
+void SurfaceNet::evaluate() {
+    std::vector<glm::dvec3> points;
+    points.reserve(corner_index(counts_) + 1);
+    for (glm::ivec3 c(0); c.z <= counts_.z; ++c.z)
+        for (c.y = 0; c.y <= counts_.y; ++c.y)
+            for (c.x = 0; c.x <= counts_.x; ++c.x) points.push_back(corner(c));
+    values_.resize(points.size());
+    formulas::values(surface_.program(), points, values_);
+}
+
+void SurfaceNet::add_vertices() {
+    vertices_.assign(values_.size(), kNoVertex);
+    each_cell([&](const glm::ivec3& c) {
+        std::array<double, 8> f{};
+        int negative = 0;
+        double size = 0.0;
+        for (int k = 0; k < 8; ++k) {
+            f[static_cast<std::size_t>(k)] = values_[corner_index(c + glm::ivec3(k & 1, (k >> 1) & 1, k >> 2))];
+            if (std::isnan(f[static_cast<std::size_t>(k)])) return;
+            negative += f[static_cast<std::size_t>(k)] < 0.0;
+            size = std::max(size, std::abs(f[static_cast<std::size_t>(k)]));
+        }
+        if (negative == 0 || negative == 8) return;
+        // In the middle of where the cell's edges meet the surface.
+        glm::dvec3 sum(0.0);
+        int crossings = 0;
+        for (unsigned k = 0; k < 8; ++k)
+            for (unsigned axis = 0; axis < 3; ++axis) {
+                const unsigned l = k | (1u << axis);
+                if (l == k || (f[k] < 0.0) == (f[l] < 0.0)) continue;
+                glm::dvec3 at(k & 1, (k >> 1) & 1, k >> 2);
+                at[static_cast<glm::length_t>(axis)] = f[k] / (f[k] - f[l]);
+                sum += at;
+                ++crossings;
+            }
+        vertices_[corner_index(c)] = static_cast<std::uint32_t>(positions_.size());
+        positions_.push_back(corner(c) + step_ / crossings * sum);
+        sizes_.push_back(size);
+    });
+}
+
+// Newton's steps along the gradient, for all vertices side by side.
+void SurfaceNet::descend() {
+    const std::vector<glm::dvec3> start = positions_;
+    std::vector<formulas::Sample> samples(positions_.size());
+    for (int i = 0; i < kNewtonSteps; ++i) {
+        formulas::samples(surface_.program(), positions_, samples);
+        for (std::size_t v = 0; v < positions_.size(); ++v) {
+            const glm::dvec3& g = samples[v].gradient;
+            const glm::dvec3 move = samples[v].value / glm::dot(g, g) * g;
+            const glm::dvec3 next = positions_[v] - move;
+            // What would leave its cell is near a double point or a pole.
+            if (glm::length(next - start[v]) <= 1.2 * step_) positions_[v] = next;
+        }
+    }
+    formulas::samples(surface_.program(), positions_, samples);
+    lost_.resize(positions_.size());
+    gradients_.resize(positions_.size());
+    for (std::size_t v = 0; v < positions_.size(); ++v) {
+        lost_[v] = !(std::abs(samples[v].value) <= 0.3 * sizes_[v]);
+        gradients_[v] = samples[v].gradient;
+    }
+}
+
+void SurfaceNet::add_quad(const std::array<std::uint32_t, 4>& q) {
+    for (const std::uint32_t v : q)
+        if (v == kNoVertex || lost_[v]) return;
+    const auto distance = [&](std::size_t a, std::size_t b) {
+        return glm::distance(positions_[q[a]], positions_[q[b]]);
+    };
+    if (distance(0, 2) <= distance(1, 3)) {
+        triangles_.push_back({q[0], q[1], q[2]});
+        triangles_.push_back({q[0], q[2], q[3]});
+    } else {
+        triangles_.push_back({q[0], q[1], q[3]});
+        triangles_.push_back({q[1], q[2], q[3]});
+    }
+}
+
+void SurfaceNet::add_quads() {
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+        glm::ivec3 along(0), u(0), v(0);
+        along[axis] = 1;
+        u[(axis + 1) % 3] = 1;
+        v[(axis + 2) % 3] = 1;
+        for (glm::ivec3 c(0); c.z <= counts_.z; ++c.z)
+            for (c.y = 0; c.y <= counts_.y; ++c.y)
+                for (c.x = 0; c.x <= counts_.x; ++c.x) {
+                    // The four cells around the edge from here along the axis.
+                    if (c[axis] == counts_[axis] || c[(axis + 1) % 3] == 0 || c[(axis + 2) % 3] == 0) continue;
+                    if (c[(axis + 1) % 3] == counts_[(axis + 1) % 3] || c[(axis + 2) % 3] == counts_[(axis + 2) % 3])
+                        continue;
+                    const double here = values_[corner_index(c)], there = values_[corner_index(c + along)];
+                    if ((here < 0.0) == (there < 0.0) || std::isnan(here) || std::isnan(there)) continue;
+                    const auto cell = [&](const glm::ivec3& at) { return vertices_[corner_index(at)]; };
+                    std::array quad{cell(c - u - v), cell(c - v), cell(c), cell(c - u)};
+                    if (there < 0.0) std::swap(quad[1], quad[3]);  // counterclockwise as seen from where f > 0
+                    add_quad(quad);
+                }
+    }
+}
+
+// Onto the clip's own surface and f = 0 at once, by Newton's steps.
+glm::dvec3 SurfaceNet::onto_clip(glm::dvec3 p) const {
+    const double bound = surface_.source().bound;
+    if (surface_.source().clip == Clip::Box) return glm::clamp(p, glm::dvec3(-bound), glm::dvec3(bound));
+    for (int i = 0; i < kNewtonSteps; ++i) {
+        const formulas::Sample s = surface_.at({p});
+        const double f = s.value, g = 0.5 * (glm::dot(p, p) - bound * bound);
+        const glm::dvec3 &a = s.gradient, &b = p;
+        const double aa = glm::dot(a, a), ab = glm::dot(a, b), bb = glm::dot(b, b);
+        const double determinant = aa * bb - ab * ab;
+        if (!(determinant > 1e-12 * aa * bb)) break;
+        const glm::dvec3 next = p - (bb * f - ab * g) / determinant * a - (aa * g - ab * f) / determinant * b;
+        if (!(glm::length(next - p) < 4.0 * step_)) break;
+        p = next;
+    }
+    return p;
+}
+
+// Leaves out what lies beyond the clip, and moves the vertices of the last triangles onto its edge.
+void SurfaceNet::trim() {
+    std::vector<bool> inside(positions_.size());
+    for (std::size_t v = 0; v < positions_.size(); ++v) inside[v] = surface_.inside_clip(positions_[v]);
+    std::erase_if(triangles_, [&](const glm::uvec3& t) { return !inside[t.x] && !inside[t.y] && !inside[t.z]; });
+    std::vector<bool> outside(positions_.size(), false);
+    for (const glm::uvec3& t : triangles_)
+        for (int k = 0; k < 3; ++k) outside[t[k]] = !inside[t[k]];
+    for (std::size_t v = 0; v < positions_.size(); ++v)
+        if (outside[v]) {
+            positions_[v] = onto_clip(positions_[v]);
+            gradients_[v] = surface_.at({positions_[v]}).gradient;
+        }
+}
+
+Mesh SurfaceNet::mesh() {
+    Mesh mesh;
+    std::vector<std::uint32_t> used(positions_.size(), kNoVertex);
+    for (const glm::uvec3& t : triangles_)
+        for (int k = 0; k < 3; ++k) used[t[k]] = 0;
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t v = 0; v < used.size(); ++v)
+        if (used[v] == 0) order.push_back(v);
+    // In steps of the golden section through the grid, so that the first few vertices are spread over all of it.
+    const std::size_t count = order.size();
+    auto stride = static_cast<std::size_t>(0.6180339887 * static_cast<double>(count)) | 1u;
+    while (std::gcd(stride, count) > 1) ++stride;
+    for (std::size_t i = 0, at = 0; i < count; ++i, at = (at + stride) % count) {
+        const std::uint32_t v = order[at];
+        used[v] = static_cast<std::uint32_t>(i);
+        mesh.positions.push_back(positions_[v]);
+        const double length = glm::length(gradients_[v]);
+        mesh.normals.push_back(length > 0.0 && std::isfinite(length) ? gradients_[v] / length : glm::dvec3(0.0));
+    }
+    for (const glm::uvec3& t : triangles_) mesh.triangles.push_back({used[t.x], used[t.y], used[t.z]});
+    mesh.closed = edges_cancel(mesh.triangles);
+    return mesh;
+}
+
+}  // namespace
+
+Mesh polygonised(const ImplicitSurface& surface, int cells) {
+    if (!surface.region()) return {};
+    // A margin, so that no edge of the region's surface lacks a cell beside it.
+    const double margin = 1e-3 * surface.source().bound;
+    formulas::Box box = *surface.region();
+    box.low -= margin;
+    box.high += margin;
+    return SurfaceNet(surface, box, cells).mesh();
+}
+
+}  // namespace normalscope

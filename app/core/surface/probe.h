@@ -1,0 +1,68 @@
+#pragma once
+
+#include "core/math/camera.h"
+#include "core/math/transform.h"
+#include "core/mesh/mesh.h"
+#include "core/scene/scene.h"
+
+#include <array>
+#include <optional>
+
+namespace normalscope {
+
+/// A point of the surface with its normal there (interpolated between the vertices, of unit length) and two unit
+/// tangents; (tangent 0, tangent 1, normal) is right-handed.
+struct Probe {
+    Point<Object> point;
+    Normal<Object> normal;
+    std::array<Vector<Object>, 2> tangents;
+    bool singular = false;  ///< ∇f is zero here, or does not exist: the point has no normal of its own
+    /// The neighbour on the surface that a singular point has borrowed its normal from; empty: normal and tangents are 0.
+    std::optional<Point<Object>> borrowed_from{};
+    bool has_normal() const { return !singular || borrowed_from; }
+};
+
+/// The probe, if it has a normal: what follows from one is empty otherwise.
+inline std::optional<Probe> with_normal(const std::optional<Probe>& probe) {
+    return probe && probe->has_normal() ? probe : std::nullopt;
+}
+
+/// A probe with its tangents, one of which is level where there is a level one. `n` of any length but 0.
+Probe probe_with(Point<Object> point, Normal<Object> n);
+
+/// A probe carried to world space by every rule, with the numbers that the panel, `--numbers` and the picture show.
+struct ProbeInWorld {
+    Probe object;
+    Point<World> point;
+    std::array<Vector<World>, 2> tangents;                ///< M3 t
+    std::array<std::optional<Normal<World>>, 3> normals;  ///< in the order of kRules, not normalised
+    /// n·t for each rule and tangent; empty where the rule gives no normal.
+    std::array<std::optional<std::array<double, 2>>, 3> dots;
+    std::optional<double> error_degrees;  ///< between the naive and the true normal
+};
+
+ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& worldFromObject);
+/// The same as the scene has it, with its mistake in the naive rule's place.
+ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& worldFromObject, const Scene& scene);
+
+struct SurfaceHit {
+    Probe probe;
+    double t = 0.0;  ///< along the ray, in lengths of its direction
+};
+
+/// The first point of the surface that the ray meets, from either side.
+std::optional<SurfaceHit> first_hit(const Mesh& mesh, const Transform<World, Object>& worldFromObject,
+                                    const Ray<World>& ray);
+
+/// The index of the triangle that is nearest to `p`; empty only for a mesh without triangles.
+std::optional<std::size_t> nearest_triangle(const Mesh& mesh, Point<Object> p);
+
+/// The point of the surface that is nearest to `p`; empty only for a mesh without triangles.
+std::optional<Probe> nearest_probe(const Mesh& mesh, Point<Object> p);
+
+/// The point of the surface that the camera sees nearest the given pixel: the hit of its ray or, if that misses, the
+/// nearest point of the silhouette. Empty where nothing lies before the camera.
+std::optional<Probe> probe_in_view(const Mesh& mesh, const Transform<World, Object>& worldFromObject,
+                                   const CameraView& view, glm::dvec2 pixel);
+
+}  // namespace normalscope

@@ -1,0 +1,157 @@
+#include "core/surface/surface.h"
+
+#include "core/base/overload.h"
+#include "core/mesh/mesh_file.h"
+#include "core/surface/formula_note.h"
+#include "core/surface/shapes.h"
+
+#include <glm/common.hpp>
+#include <glm/trigonometric.hpp>
+
+#include <cmath>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace normalscope {
+
+namespace {
+
+constexpr int kFormulaCells = 40;  // a side: some thousand vertices for arrows to stand on
+
+// As near to f = 0 as rounding lets it come, but for vertices beside a double point.
+bool lies_on(const ImplicitSurface& surface, Point<Object> p) {
+    const formulas::Sample s = surface.at(p);
+    return std::abs(s.value) <= 1e-9 * glm::length(s.gradient) * surface.source().bound;
+}
+
+}  // namespace
+
+std::shared_ptr<const Surface> SurfaceCache::get(const Scene& scene) {
+    const bool same_mesh = mesh_ && mesh_source_ == scene.surface;
+    // Which arrow kinds are shown and how long they are does not change where they stand.
+    const auto placement = [](const Arrows& a) { return std::tuple(a.at, a.every, a.limit); };
+    if (surface_ && surface_source_ == scene.surface && placement(surface_arrows_) == placement(scene.arrows))
+        return surface_;
+
+    // The faces of a formula's mesh are not the surface: its arrows stand on the surface's own points.
+    const bool faces =
+        scene.arrows.at == ArrowPlacement::Faces && !std::holds_alternative<FormulaSurface>(scene.surface);
+    auto surface = std::make_shared<Surface>();
+    if (!same_mesh) {
+        std::shared_ptr<const ImplicitSurface> implicit;
+        surface->mesh = std::visit(Overload{[](const ShapeSurface& shape) { return make_shape(shape); },
+                                            [](const MeshSurface& file) { return load_mesh(file.mesh); },
+                                            [&](const FormulaSurface& formula) {
+                                                implicit = std::make_shared<const ImplicitSurface>(formula);
+                                                Mesh mesh = polygonised(*implicit, kFormulaCells);
+                                                mesh.note = note_on(*implicit, mesh);
+                                                return mesh;
+                                            }},
+                                   scene.surface);
+        implicit_ = std::move(implicit);
+        // A mesh that is drawn as it is need not be kept twice: it takes time and memory to copy a million triangles.
+        mesh_ = faces ? std::make_shared<const Mesh>(std::move(surface->mesh))
+                      : std::shared_ptr<const Mesh>(surface, &surface->mesh);
+        mesh_source_ = scene.surface;
+    }
+    surface->implicit = implicit_;
+    surface->area = surface_area(*mesh_);
+    for (const glm::dvec3& p : mesh_->positions) surface->extent = glm::max(surface->extent, glm::abs(p));
+    std::vector<Site> sites = faces ? face_sites(*mesh_) : vertex_sites(*mesh_);
+    if (implicit_) std::erase_if(sites, [&](const Site& s) { return !lies_on(*implicit_, s.point); });
+    surface->arrows = thinned(std::move(sites), static_cast<std::size_t>(scene.arrows.every),
+                              static_cast<std::size_t>(scene.arrows.limit), surface->area);
+    if (faces)
+        surface->mesh = flat_shaded(*mesh_);
+    else if (same_mesh)
+        surface->mesh = *mesh_;
+    surface_ = std::move(surface);
+    surface_source_ = scene.surface;
+    surface_arrows_ = scene.arrows;
+    return surface_;
+}
+
+Mesh flat_shaded(const Mesh& mesh) {
+    std::vector<glm::dvec3> face_normals(mesh.face_count(), glm::dvec3(0.0));
+    const auto face_of = [&](std::size_t triangle) {
+        return mesh.face_of_triangle.empty() ? triangle : mesh.face_of_triangle[triangle];
+    };
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const glm::uvec3& t = mesh.triangles[i];
+        const glm::dvec3& a = mesh.positions[t.x];
+        face_normals[face_of(i)] += glm::cross(mesh.positions[t.y] - a, mesh.positions[t.z] - a);
+    }
+    Mesh flat;
+    flat.face_of_triangle = mesh.face_of_triangle;
+    flat.closed = mesh.closed;
+    flat.normal_source = mesh.normal_source;
+    flat.note = mesh.note;
+    flat.positions.reserve(3 * mesh.triangles.size());
+    flat.normals.reserve(3 * mesh.triangles.size());
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const glm::dvec3& sum = face_normals[face_of(i)];
+        const double length = glm::length(sum);
+        const auto first = static_cast<std::uint32_t>(flat.positions.size());
+        for (int k = 0; k < 3; ++k) {
+            flat.positions.push_back(mesh.positions[mesh.triangles[i][k]]);
+            flat.normals.push_back(length > 0.0 ? sum / length : glm::dvec3(0.0));
+        }
+        flat.triangles.push_back({first, first + 1, first + 2});
+    }
+    return flat;
+}
+
+std::optional<double> error_degrees(const NormalMatrices& matrices, Normal<Object> n) {
+    if (!matrices.inverse_transpose) return std::nullopt;
+    return angle_degrees(matrices.naive * n.xyz, *matrices.inverse_transpose * n.xyz);
+}
+
+std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMatrices& matrices) {
+    if (!matrices.inverse_transpose) return std::nullopt;
+    const glm::dmat3 &naive = matrices.naive, &inverse_transpose = *matrices.inverse_transpose;
+    double sum = 0.0, worst_tangent2 = -1.0;
+    std::size_t count = 0, worst = 0;
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+        const glm::dvec3& n = mesh.normals[i];
+        if (n == glm::dvec3(0.0)) continue;
+        // The tangent of the angle between the two images: their cross product by their dot product, which is n·n.
+        const glm::dvec3 cross = glm::cross(naive * n, inverse_transpose * n);
+        const double tangent2 = glm::dot(cross, cross) / (glm::dot(n, n) * glm::dot(n, n));
+        sum += std::atan(std::sqrt(tangent2));
+        ++count;
+        if (tangent2 > worst_tangent2) {
+            worst_tangent2 = tangent2;
+            worst = i;
+        }
+    }
+    if (count == 0) return std::nullopt;
+    ErrorStatistics statistics;
+    statistics.worst_degrees = error_degrees(matrices, {mesh.normals[worst]}).value_or(0.0);
+    statistics.mean_degrees = glm::degrees(sum / static_cast<double>(count));
+    statistics.at = {mesh.positions[worst]};
+    return statistics;
+}
+
+std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMap& naive,
+                                                const NormalMatrices& matrices) {
+    if (!matrices.inverse_transpose) return std::nullopt;
+    if (naive == NormalMap{.matrix = glm::dmat4(matrices.naive)}) return error_statistics(mesh, matrices);
+    ErrorStatistics statistics;
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+        const auto error = angle_degrees(naive({mesh.normals[i]}).xyz, *matrices.inverse_transpose * mesh.normals[i]);
+        if (!error) continue;
+        sum += *error;
+        if (count++ == 0 || *error > statistics.worst_degrees) {
+            statistics.worst_degrees = *error;
+            statistics.at = {mesh.positions[i]};
+        }
+    }
+    if (count == 0) return std::nullopt;
+    statistics.mean_degrees = sum / static_cast<double>(count);
+    return statistics;
+}
+
+}  // namespace normalscope

@@ -1,0 +1,98 @@
+#include "core/surface/surface_probe.h"
+
+#include "core/surface/singular_point.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace normalscope {
+
+namespace {
+
+// Of the bound. What is nearer to the surface than this was meant to lie on it.
+constexpr double kNear = 0.05;
+constexpr double kAround = 0.02;
+
+// A step from where f is but rounding would lead anywhere.
+bool lies_on(const ImplicitSurface& surface, const glm::dvec3& p) {
+    double around = 0.0;
+    for (glm::length_t i = 0; i < 3; ++i)
+        for (const double side : {-kAround, kAround}) {
+            glm::dvec3 q = p;
+            q[i] += side * surface.source().bound;
+            const double f = std::abs(surface.at({q}).value);
+            if (std::isfinite(f)) around = std::max(around, f);
+        }
+    return std::abs(surface.at({p}).value) <= 1e-13 * around;
+}
+
+std::optional<Probe> nearest_on(const ImplicitSurface& surface, const Mesh& mesh, Point<Object> p,
+                                const std::optional<Borrow>& borrow) {
+    if (surface.inside_clip(p.xyz) && lies_on(surface, p.xyz)) return probe_on(surface, p, borrow);
+    const double reach = kNear * surface.source().bound;
+    if (const auto on = surface.onto_surface(p, reach); on && surface.inside_clip(on->xyz))
+        return probe_on(surface, *on, borrow);
+    if (surface.at(p).value == 0.0) return probe_on(surface, p, borrow);
+    const auto near = nearest_probe(mesh, p);
+    if (!near) {  // only rays find it
+        const auto on = surface.onto_surface(p, 2.0 * surface.source().bound);
+        return on && surface.inside_clip(on->xyz) ? std::optional(probe_on(surface, *on, borrow)) : std::nullopt;
+    }
+    const auto on = surface.onto_surface(near->point, reach);
+    return on ? probe_on(surface, *on, borrow) : near;
+}
+
+// Newton's steps come as near to 0 as 1e-161 where 0 is meant, and never there.
+Point<Object> tidied(const ImplicitSurface& surface, Point<Object> p) {
+    Point<Object> tidy = p;
+    for (glm::length_t i = 0; i < 3; ++i)
+        if (std::abs(p.xyz[i]) < 1e-15 * surface.source().bound) tidy.xyz[i] = 0.0;
+    return std::abs(surface.at(tidy).value) <= std::abs(surface.at(p).value) ? tidy : p;
+}
+
+}  // namespace
+
+Probe probe_on(const ImplicitSurface& surface, Point<Object> anywhere, const std::optional<Borrow>& borrow) {
+    const Point<Object> p = tidied(surface, anywhere);
+    if (!is_singular(surface, p)) return probe_with(p, {surface.at(p).gradient});
+    if (borrow)
+        if (const auto neighbour = lender(surface, p, *borrow)) {
+            Probe probe = probe_with(p, neighbour->normal);
+            probe.singular = true;
+            probe.borrowed_from = neighbour->point;
+            return probe;
+        }
+    Probe probe;
+    probe.point = p;
+    probe.singular = true;
+    return probe;
+}
+
+std::optional<SurfaceHit> first_hit(const Surface& surface, const Transform<World, Object>& worldFromObject,
+                                    const Ray<World>& ray) {
+    const auto objectFromWorld = surface.implicit ? worldFromObject.inverse() : std::nullopt;
+    if (!objectFromWorld) return first_hit(surface.mesh, worldFromObject, ray);
+    // Point and direction go to object space unchanged in length: t is the same in both.
+    const Ray<Object> object_ray{(*objectFromWorld)(ray.origin), (*objectFromWorld)(ray.direction)};
+    const auto t = surface.implicit->first_hit(object_ray);
+    if (!t) return std::nullopt;
+    return SurfaceHit{probe_on(*surface.implicit, object_ray.origin + *t * object_ray.direction), *t};
+}
+
+std::optional<Probe> nearest_probe(const Surface& surface, Point<Object> p, const std::optional<Borrow>& borrow) {
+    return surface.implicit ? nearest_on(*surface.implicit, surface.mesh, p, borrow) : nearest_probe(surface.mesh, p);
+}
+
+std::optional<Probe> probe_in_view(const Surface& surface, const Transform<World, Object>& worldFromObject,
+                                   const CameraView& view, glm::dvec2 pixel, const std::optional<Borrow>& borrow) {
+    if (!surface.implicit) return probe_in_view(surface.mesh, worldFromObject, view, pixel);
+    if (const auto hit = first_hit(surface, worldFromObject, view.ray(pixel)))
+        return hit->probe.singular ? probe_on(*surface.implicit, hit->probe.point, borrow) : hit->probe;
+    const auto near = probe_in_view(surface.mesh, worldFromObject, view, pixel);
+    return near ? nearest_on(*surface.implicit, surface.mesh, near->point, borrow) : std::nullopt;
+}
+
+}  // namespace normalscope

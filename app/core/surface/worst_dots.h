@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/scene/mistakes.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+#include <array>
+#include <optional>
+#include <span>
+
+namespace normalscope {
+
+/// n · t over a whole surface: for each map, the largest |cos| of the angle between a normal that it has sent to world
+/// space and two tangents at right angles that `tangents` has sent there. 0 but for rounding where the map keeps normals
+/// perpendicular; empty where there is no map. `normals` are of unit length in object space, or zero where there is none.
+/// What is sent to zero does not count. Works in blocks, on several threads where there are many.
+std::array<std::optional<double>, 3> worst_dots(std::span<const glm::dvec3> normals,
+                                                const std::array<std::optional<NormalMap>, 3>& maps,
+                                                const glm::dmat3& tangents);
+
+}  // namespace normalscope

@@ -1,0 +1,252 @@
+#include "ui/kit/file_dialog.h"
+
+#include "core/base/error.h"
+#include "core/lessons/lesson.h"
+#include "ui/kit/widgets.h"
+
+#include <misc/cpp/imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace normalscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using For = FileDialog::For;
+constexpr const char* kId = "##files";
+
+struct Purpose {
+    const char *title, *action, *filter;
+    std::string_view ending;  ///< added to a name that has none; empty: never
+    std::string_view name;    ///< to begin with
+};
+constexpr std::array<Purpose, 4> kPurposes{{
+    {"Open a scene or a mesh", "Open", "scenes and meshes (.json .obj .ply .stl)", "", ""},
+    {"Open a mesh", "Open", "meshes (.obj .ply .stl)", "", ""},
+    {"Save the scene", "Save", "scenes (.json)", ".json", "scene.json"},
+    {"Save the picture", "Save", "pictures (.png, or .svg: its vector parts)", ".png", "normalscope.png"},
+}};
+const Purpose& about(For purpose) { return kPurposes[static_cast<std::size_t>(purpose)]; }
+
+std::span<const std::string_view> endings(For purpose) {
+    static constexpr std::array<std::string_view, 4> kAny{".json", ".obj", ".ply", ".stl"};
+    static constexpr std::array<std::string_view, 2> kPicture{".png", ".svg"};
+    switch (purpose) {
+        case For::OpenAny: return kAny;
+        case For::OpenMesh: return std::span(kAny).subspan(1);
+        case For::SaveScene: return std::span(kAny).first(1);
+        case For::SavePicture: return kPicture;
+    }
+    return {};
+}
+
+// Not a lesson's: its steps would be lost.
+bool is_scene_file(const fs::path& file) {
+    std::error_code error;
+    try {
+        return file.extension() == ".json" && fs::is_regular_file(file, error) && !is_lesson(file.string());
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+void FileDialog::open(For purpose) {
+    if (purpose != purpose_ || name_.empty()) name_ = about(purpose).name;
+    purpose_ = purpose;
+    open_ = appearing_ = focus_name_ = true;
+    complaint_.clear();
+    to_overwrite_.clear();
+    std::error_code error;
+    enter(folder_.path.empty() ? fs::current_path(error) : folder_.path);
+    if (purpose == For::SaveScene && is_scene_file(scene_file_))
+        name_ = shown(fs::proximate(scene_file_, folder_.path, error));
+}
+
+void FileDialog::enter(const fs::path& folder) {
+    const auto filter = all_files_ ? std::span<const std::string_view>{} : endings(purpose_);
+    listed_anew_ = true;
+    Folder next = read_folder(folder.empty() ? fs::path("/") : folder, filter);
+    complaint_ = next.error;
+    // An unreadable folder is not entered, unless there is nothing else to show.
+    if (next.error.empty() || folder_.path.empty()) folder_ = std::move(next);
+}
+
+void FileDialog::finish(const fs::path& file, Requests& requests) {
+    switch (purpose_) {
+        case For::OpenAny: requests.open = file.string(); break;
+        case For::OpenMesh: requests.open_mesh = file.string(); break;
+        case For::SaveScene: requests.save_scene = file; break;
+        case For::SavePicture: requests.save_picture = file; break;
+    }
+    name_ = saves() ? shown(file.filename()) : "";
+    open_ = false;
+    ImGui::CloseCurrentPopup();
+}
+
+// What Enter and the button do with what was typed.
+void FileDialog::choose(Requests& requests) {
+    if (name_.empty()) return;
+    fs::path file = resolved(name_, folder_.path);
+    std::error_code error;
+    if (fs::is_directory(file, error)) {
+        name_.clear();
+        focus_name_ = true;
+        return enter(file.has_filename() ? file : file.parent_path());
+    }
+    if (!saves()) {
+        if (fs::exists(file, error))
+            finish(file, requests);
+        else
+            complaint_ = shown(file) + ": no such file";
+        return;
+    }
+    if (!file.has_extension()) file += about(purpose_).ending;
+    if (!fs::is_directory(file.parent_path(), error))
+        complaint_ = shown(file.parent_path()) + ": no such folder";
+    else if (fs::exists(file, error) && to_overwrite_ != file)
+        to_overwrite_ = file;
+    else
+        finish(file, requests);
+}
+
+void FileDialog::list(const Look& look, Requests& requests) {
+    fs::path to_enter;
+    bool chosen = false;
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, look.card);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(8), look.px(8)));
+    const bool listed = ImGui::BeginChild("##list", {0, look.px(270)}, ImGuiChildFlags_AlwaysUseWindowPadding);
+    ImGui::PopStyleVar();
+    if (listed) {
+        ImGuiListClipper clipper;
+        clipper.Begin(static_cast<int>(folder_.entries.size()));
+        while (clipper.Step())
+            for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+                const FolderEntry& entry = folder_.entries[static_cast<std::size_t>(i)];
+                ImGui::PushID(i);
+                const ImVec2 at = ImGui::GetCursorScreenPos();
+                const bool pressed = ImGui::Selectable("##entry", !entry.folder && entry.name == name_,
+                                                       ImGuiSelectableFlags_AllowDoubleClick);
+                // A folder opens by one click: there is nothing else to do with it.
+                if (pressed && entry.folder) to_enter = resolved(entry.name, folder_.path);
+                if (pressed && !entry.folder) {
+                    name_ = entry.name;
+                    to_overwrite_.clear();
+                    chosen = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+                }
+                ImDrawList& list = *ImGui::GetWindowDrawList();
+                const float side = ImGui::GetFontSize();
+                draw_icon(list, entry.folder ? Icon::Folder : Icon::File, {at.x + look.px(10), at.y + side / 2},
+                          look.px(15), packed(look.dim));
+                list.AddText({at.x + look.px(26), at.y}, packed(look.text), entry.name.c_str());
+                ImGui::PopID();
+            }
+        if (folder_.entries.empty()) dim_text(look, "Nothing here of this kind.");
+        if (folder_.cut) dim_text(look, "… and more: type the name.");
+    }
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+    if (!to_enter.empty()) enter(to_enter);
+    if (chosen) choose(requests);
+}
+
+void FileDialog::draw(const Look& look, ExtraLetters& letters, Requests& requests) {
+    if (appearing_) ImGui::OpenPopup(kId);
+    appearing_ = false;
+    if (!open_) return;
+    if (std::exchange(listed_anew_, false))
+        for (const FolderEntry& entry : folder_.entries) letters.want(entry.name, look.fonts.body);
+    letters.want(name_, look.fonts.body);
+
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(look.px(620), screen.x), 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(20), look.px(16)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, look.px(12));
+    const bool visible = ImGui::BeginPopupModal(kId, nullptr,
+                                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PopStyleVar(2);
+    if (!visible) {
+        open_ = false;  // Escape closes modals that have the keyboard
+        return;
+    }
+    const Purpose& purpose = about(purpose_);
+    ImGui::PushFont(look.fonts.strong);
+    ImGui::TextUnformatted(purpose.title);
+    ImGui::PopFont();
+
+    if (icon_button(look, "##parent", Icon::Up, "To the folder above", folder_.path.has_relative_path(), 30))
+        enter(folder_.path.parent_path());
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    dim_text(look, shortened(shown(folder_.path), ImGui::GetContentRegionAvail().x));
+    tip(look, shown(folder_.path).c_str());
+    list(look, requests);
+    if (!open_) return ImGui::EndPopup();
+
+    if (std::exchange(focus_name_, false)) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::InputTextWithHint("##name", saves() ? "name, or a path" : "type a name or a path", &name_,
+                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll)) {
+        focus_name_ = true;
+        choose(requests);
+    }
+    if (ImGui::IsItemEdited()) {
+        to_overwrite_.clear();
+        complaint_.clear();
+    }
+    if (!open_) return ImGui::EndPopup();
+    if (!complaint_.empty() || !to_overwrite_.empty()) {
+        const std::string text =
+            to_overwrite_.empty() ? complaint_ : shown(to_overwrite_.filename()) + " is there already. Overwrite it?";
+        ImGui::PushStyleColor(ImGuiCol_Text, look.bad);
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextUnformatted(text.c_str());
+        ImGui::PopTextWrapPos();
+        ImGui::PopStyleColor();
+    }
+
+    const float button = look.px(108), gap = look.px(8);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + look.px(4));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(4), look.px(1)));
+    if (ImGui::Checkbox("all files", &all_files_)) enter(folder_.path);
+    ImGui::PopStyleVar();
+    tip(look, (std::string("Otherwise only ") + purpose.filter).c_str());
+    if (purpose_ == For::SavePicture) {
+        ImGui::SameLine(0, look.px(16));
+        if (ImGui::Button("Copy as command")) {
+            requests.copy_command = true;
+            open_ = false;
+            ImGui::CloseCurrentPopup();
+        }
+        tip(look, "Copies the command line that draws this picture, for scripts and tests (Ctrl+C)");
+    }
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * button - gap);
+    const bool cancel = ImGui::Button("Cancel", {button, 0});
+    ImGui::SameLine(0, gap);
+    ImGui::BeginDisabled(name_.empty());
+    ImGui::PushStyleColor(ImGuiCol_Button, look.accent);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(look.accent, 0.85f));
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(look.accent, 0.7f));
+    ImGui::PushStyleColor(ImGuiCol_Text, look.on_accent);
+    const bool accepted = ImGui::Button(to_overwrite_.empty() ? purpose.action : "Overwrite", {button, 0});
+    ImGui::PopStyleColor(4);
+    ImGui::EndDisabled();
+    if (accepted) choose(requests);
+    if (open_ && (cancel || ImGui::IsKeyPressed(ImGuiKey_Escape, false))) {
+        open_ = false;
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
+}  // namespace normalscope

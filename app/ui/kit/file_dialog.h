@@ -1,0 +1,44 @@
+#pragma once
+
+#include "ui/kit/folder.h"
+#include "ui/kit/requests.h"
+#include "ui/kit/style.h"
+
+#include <filesystem>
+#include <string>
+
+namespace normalscope {
+
+/// A dialog for one file at a time, in the window itself: it looks the same everywhere, and needs no toolkit.
+class FileDialog {
+public:
+    enum class For { OpenAny, OpenMesh, SaveScene, SavePicture };
+
+    /// Shows it from the next frame on. What was typed is kept from the last time, and so is the folder.
+    void open(For purpose);
+    /// The open scene's file, or a name: where it is a scene's file, it is what saving the scene proposes.
+    void set_scene_file(const std::string& file) { scene_file_ = file; }
+    bool is_open() const { return open_; }
+
+    void draw(const Look& look, ExtraLetters& letters, Requests& requests);
+
+private:
+    bool saves() const { return purpose_ == For::SaveScene || purpose_ == For::SavePicture; }
+    void list(const Look& look, Requests& requests);
+    void choose(Requests& requests);
+    void finish(const std::filesystem::path& file, Requests& requests);
+    void enter(const std::filesystem::path& folder);
+
+    For purpose_ = For::OpenAny;
+    bool open_ = false, appearing_ = false;
+    bool all_files_ = false;
+    bool focus_name_ = false;
+    bool listed_anew_ = false;  ///< some letters of its names may be missing
+    Folder folder_;
+    std::string scene_file_;
+    std::string name_;  ///< typed: a name in the folder, or a path
+    std::string complaint_;
+    std::filesystem::path to_overwrite_;  ///< asked about; empty if not
+};
+
+}  // namespace normalscope

@@ -1,0 +1,72 @@
+#include "ui/kit/folder.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+
+namespace normalscope {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t kMostEntries = 5000;  // more help nobody, and cost time in every frame
+
+std::string lower(std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+// The system's reason, without the call that failed.
+std::string reason(const std::error_code& error) { return error.message(); }
+
+}  // namespace
+
+std::string shown(const fs::path& path) {
+    const std::u8string text = path.u8string();
+    return {text.begin(), text.end()};
+}
+
+Folder read_folder(const fs::path& path, std::span<const std::string_view> endings) {
+    Folder result{.path = path, .entries = {}, .error = {}};
+    std::error_code error;
+    fs::directory_iterator it(path, fs::directory_options::skip_permission_denied, error);
+    // skip_permission_denied makes an unreadable folder look like an empty one: ask again.
+    if (!error && it == fs::directory_iterator()) (void)fs::directory_iterator(path, error);
+    if (error) {
+        result.error = shown(path) + ": " + reason(error);
+        return result;
+    }
+    for (; it != fs::directory_iterator(); it.increment(error)) {
+        if (error) break;
+        const std::string name = shown(it->path().filename());
+        if (name.starts_with('.')) continue;
+        std::error_code ignored;  // a link into nowhere is no folder
+        const bool folder = it->is_directory(ignored);
+        if (!folder && !endings.empty() && std::ranges::count(endings, lower(shown(it->path().extension()))) == 0)
+            continue;
+        if (result.entries.size() == kMostEntries) {
+            result.cut = true;
+            break;
+        }
+        result.entries.push_back({name, folder});
+    }
+    if (error) result.error = shown(path) + ": " + reason(error);
+    std::ranges::sort(result.entries, [](const FolderEntry& a, const FolderEntry& b) {
+        return a.folder != b.folder ? a.folder : lower(a.name) < lower(b.name);
+    });
+    return result;
+}
+
+fs::path resolved(const std::string& typed, const fs::path& folder) {
+    const fs::path path(std::u8string(typed.begin(), typed.end()));
+    if (typed == "~" || typed.starts_with("~/")) {
+        const char* home = std::getenv("HOME");
+        if (home && *home)
+            return (fs::path(home) / fs::path(path.string().substr(std::min<std::size_t>(2, typed.size()))))
+                .lexically_normal();
+    }
+    return (path.is_absolute() ? path : folder / path).lexically_normal();
+}
+
+}  // namespace normalscope

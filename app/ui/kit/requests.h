@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/surface/surface.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace normalscope {
+
+/// What the interface asks of the program, beyond edits of the scene.
+struct Requests {
+    bool undo = false, redo = false;
+    bool step = false;       ///< what the scene is now is one step to undo, though the editing goes on
+    bool make_room = false;  ///< the surface is another, or as large as it was not: it should be in the picture
+    bool full_screen = false, quit = false;
+    bool copy_command = false;  ///< the command line that captures what is shown
+    bool end_presenting = false;
+    bool copy_link = false, copy_equations = false;
+    std::optional<std::string> open;       ///< a scene, a mesh, a lesson, or the name of a built-in one
+    std::optional<std::string> open_mesh;  ///< a mesh as the scene's surface, all else kept
+    std::optional<std::filesystem::path> save_scene;
+    std::optional<std::filesystem::path> save_picture;
+};
+
+/// What the interface shows and cannot work out from the scene.
+struct Status {
+    bool can_undo = false, can_redo = false;
+    std::optional<ErrorStatistics> errors;
+    std::string file;  ///< the open scene's file or name; empty if none
+};
+
+}  // namespace normalscope

@@ -1,0 +1,102 @@
+#include "ui/kit/side_panel.h"
+
+#include "ui/kit/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace normalscope {
+
+namespace {
+
+// Buttons as wide as their words want, the open tab's marked below. Where `closes`, pressing that one again closes it.
+void tab_row(const Look& look, std::span<const SideTab> tabs, SideMemory& memory, float width, bool closes) {
+    std::vector<float> widths;
+    float words = 0.0f;
+    for (const SideTab& tab : tabs) {
+        const ImFont* font = look.fonts.strong;
+        widths.push_back(font->CalcTextSizeA(font->FontSize, 1e9f, 0, tab.label).x);
+        words += widths.back();
+    }
+    const float room = std::max(0.0f, width - words) / static_cast<float>(std::max<std::size_t>(tabs.size(), 1));
+    float left = ImGui::GetCursorPosX();
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, ImGui::GetStyle().FramePadding.y));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+    for (std::size_t i = 0; i < tabs.size(); ++i) {
+        const float each = std::floor(widths[i] + room);
+        if (i > 0) ImGui::SameLine(left);
+        left += each;
+        const bool open = memory.open == i;
+        ImGui::PushStyleColor(ImGuiCol_Text, open ? look.text : look.dim);
+        ImGui::PushFont(look.fonts.strong);
+        const bool pressed = ImGui::Button(tabs[i].label, {each - look.px(2), look.px(28)});
+        ImGui::PopFont();
+        ImGui::PopStyleColor();
+        const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+        list.AddLine({low.x, high.y}, high, packed(look.line));
+        if (open)
+            list.AddRectFilled({low.x + look.px(4), high.y - look.px(1)}, {high.x - look.px(4), high.y + look.px(2)},
+                               packed(look.accent), look.px(1));
+        tip(look, tabs[i].about);
+        if (!pressed) continue;
+        if (open && closes)
+            memory.open.reset();
+        else
+            memory.open = i;
+    }
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+void side_buttons(const Look& look, std::span<const SideTab> tabs, SideMemory& memory) {
+    tab_row(look, tabs, memory, ImGui::GetContentRegionAvail().x + look.px(2), true);
+}
+
+void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& memory, const SideContext& context,
+                     float width) {
+    if (!memory.open || *memory.open >= tabs.size()) return;
+    const Look& look = context.look;
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const bool only_tabs = !tabs[*memory.open].draw;
+    const float height = only_tabs ? look.px(kTabsHeight) : screen.y;
+    begin_beside(context.frame.rect, "##side", {screen.x - width, 0}, {width, height});
+    const ImVec2 low = ImGui::GetWindowPos();
+    ImGui::GetWindowDrawList()->AddLine(low, {low.x, low.y + height}, packed(look.line));
+
+    const float close = look.px(30), margin = look.px(16);
+    ImGui::SetCursorPos({margin, look.px(8)});
+    tab_row(look, tabs, memory, width - margin - close - look.px(10), false);
+    ImGui::SameLine(width - close - look.px(8));
+    const bool closed = icon_button(look, "##close", Icon::Close, "Close: the picture has the room again.");
+
+    const std::size_t open = *memory.open;
+    if (only_tabs || !tabs[open].draw) {  // or it was chosen just now
+        ImGui::End();
+        if (closed) memory.open.reset();
+        return;
+    }
+    // As in the panel at the left, the scroll bar stands in the margin.
+    const float right = margin - ImGui::GetStyle().ScrollbarSize;
+    ImGui::SetCursorPos({1, look.px(kTabsHeight)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(right, 0));
+    ImGui::PushID(static_cast<int>(open));  // each tab scrolls by itself
+    const bool shown = ImGui::BeginChild("##tab", {width - 1, 0}, ImGuiChildFlags_AlwaysUseWindowPadding,
+                                         ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_AlwaysVerticalScrollbar);
+    ImGui::PopStyleVar();
+    // The row above may just have opened the tab that has a window of its own.
+    if (shown && tabs[*memory.open].draw) {
+        ImGui::Indent(margin - right);
+        tabs[open].draw(scene, context);
+        ImGui::Dummy({0, look.px(8)});
+    }
+    ImGui::EndChild();
+    ImGui::PopID();
+    ImGui::End();
+    if (closed) memory.open.reset();
+}
+
+}  // namespace normalscope

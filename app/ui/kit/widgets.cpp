@@ -1,0 +1,330 @@
+#include "ui/kit/widgets.h"
+
+#include "core/scene/typed_number.h"
+#include "ui/kit/number_text.h"
+
+#include <imgui_internal.h>  // TempInputIsActive: whether a number is being typed
+
+#include <algorithm>
+#include <cmath>
+
+namespace normalscope {
+
+namespace {
+
+void draw_tip(const Look& look, const char* text) {
+    if (!ImGui::BeginTooltip()) return;
+    ImGui::PushFont(look.fonts.small);
+    ImGui::PushTextWrapPos(look.px(340));
+    ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
+    ImGui::PopFont();
+    ImGui::EndTooltip();
+}
+
+}  // namespace
+
+void tip(const Look& look, const char* text) {
+    // Who has just clicked looks at what comes of it: the tip would cover that, so it waits for the pointer's return.
+    constexpr ImGuiID kClicked = 0x7469705F;  // in the window's storage: the item
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const auto item = static_cast<int>(ImGui::GetItemID());
+    const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
+    if (ImGui::IsItemActive() || ImGui::IsItemDeactivated())
+        storage.SetInt(kClicked, item);
+    else if (!hovered && storage.GetInt(kClicked) == item)
+        storage.SetInt(kClicked, 0);
+    if (!*text || !hovered || !look.tips || storage.GetInt(kClicked) == item) return;
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    draw_tip(look, text);
+}
+
+void begin_beside(const PixelRect& picture, const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags flags,
+                  bool over_another) {
+    const auto left = static_cast<float>(picture.origin.x), right = left + static_cast<float>(picture.size.x);
+    if (!over_another && (at.x + size.x <= left || at.x >= right)) flags |= ImGuiWindowFlags_NoBackground;
+    ImGui::SetNextWindowPos(at);
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::Begin(id, nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse | flags);
+    ImGui::PopStyleVar(2);
+}
+
+bool section(const Look& look, const char* title, bool open_at_first) {
+    if (ImGui::GetCursorPosY() > look.px(8)) ImGui::Dummy({0, 0});  // but for the first
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, height = look.px(28);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddLine(from, {from.x + width, from.y}, packed(look.line));
+    ImGui::SetCursorScreenPos({from.x, from.y + look.px(4)});
+
+    ImGuiStorage& storage = *ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID(title);
+    bool open = storage.GetBool(id, open_at_first);
+    ImGui::SetNextItemAllowOverlap();
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+    ImGui::PushID(title);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    if (ImGui::Button("##section", {width, height})) storage.SetBool(id, open = !open);
+    ImGui::PopID();
+    ImGui::PopStyleColor();
+    const float middle = low.y + height / 2;
+    draw_icon(list, open ? Icon::Down : Icon::Right, {low.x + look.px(6), middle}, look.px(12), packed(look.dim));
+    list.AddText(look.fonts.strong, look.fonts.strong->FontSize,
+                 {low.x + look.px(18), middle - look.fonts.strong->FontSize / 2}, packed(look.text), title);
+    return open;
+}
+
+bool begin_combo(const Look& look, const char* id, const std::string& current, float width) {
+    ImGui::SetNextItemWidth(width);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float height = ImGui::GetFrameHeight();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool open = ImGui::BeginCombo(id, shortened(current, width - look.px(38)).c_str(),
+                                        ImGuiComboFlags_HeightLargest | ImGuiComboFlags_NoArrowButton);
+    draw_icon(list, Icon::Down, {at.x + width - look.px(15), at.y + height / 2}, look.px(12), packed(look.dim));
+    return open;
+}
+
+namespace {
+
+// Where in its frame a bar runs: between the letter and the number, or where these leave it no room, below them.
+struct Track {
+    bool strip = false;
+    float left = 0.0f, right = 0.0f;  ///< from the frame's left
+};
+Track track_of(const Look& look, const NumberBar& bar, float width) {
+    const float left = std::round(ImGui::CalcTextSize(bar.letter).x) + look.px(18), right = width - look.px(72);
+    if (right - left >= look.px(90)) return {false, left, right};
+    return {true, look.px(6), width - look.px(6)};
+}
+
+void draw_track(const Look& look, double value, const NumberBar& bar, ImVec2 low, ImVec2 high) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec4 color = bar.color.value_or(look.accent);
+    const auto [strip, left, right] = track_of(look, bar, high.x - low.x);
+    const auto x = [&, from = left, to = right](double v) {
+        const double t = std::clamp((v - bar.low) / (bar.high - bar.low), 0.0, 1.0);
+        return std::round(low.x + from + static_cast<float>(t) * (to - from));
+    };
+    const float zero = x(bar.zero), at = x(value), half = look.px(1.5f);
+    const float top = strip ? high.y - look.px(6) : low.y + look.px(3), bottom = high.y - look.px(strip ? 2 : 3);
+    if (!strip) {
+        const float middle = std::round((low.y + high.y) / 2);
+        list.AddLine({x(bar.low), middle}, {x(bar.high), middle}, packed(faded(look.dim, 0.35f)));
+        list.AddLine({zero, top + look.px(2)}, {zero, bottom - look.px(2)}, packed(faded(look.dim, 0.6f)));
+    }
+    list.AddRectFilled({std::min(zero, at), top}, {std::max(zero, at), bottom}, packed(faded(color, 0.3f)), look.px(2));
+    const float more = strip ? look.px(1) : 0.0f;
+    list.AddRectFilled({at - half, top - more}, {at + half, bottom + more}, packed(color), half);
+}
+
+// Over the frame that Dear ImGui drew: the bar, the letter and the number.
+void draw_bar(const Look& look, double value, const NumberBar& bar) {
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const bool has_track = bar.low < bar.high;
+    if (has_track) draw_track(look, value, bar, low, high);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool above = has_track && track_of(look, bar, high.x - low.x).strip;
+    const float y = std::round((low.y + high.y - ImGui::GetFontSize()) / 2) - (above ? look.px(2) : 0.0f);
+    const ImVec4 ink = bar.color ? look.readable({bar.color->x, bar.color->y, bar.color->z}) : look.dim;
+    list.AddText({low.x + look.px(8), y}, packed(ink), bar.letter);
+    const std::string text = fixed(value, bar.decimals) + bar.unit;
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    list.AddText({high.x - width - look.px(8), y}, packed(look.text), text.c_str());
+}
+
+void bar_tip(const Look& look, const NumberBar& bar) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip) || ImGui::IsItemActive()) return;
+    const std::string text = std::string(bar.about) + (*bar.about ? "\n" : "") +
+                             "Drag to change (Alt: slowly), click to type: 0.5, 1/2, √2, pi/4.";
+    tip(look, text.c_str());
+}
+
+// Dear ImGui reads just the 1 of "1/2", and forgets digits where typing is given up.
+void read_typed(const Look& look, ImGuiID id, double& value, const NumberBar& bar, double before) {
+    const ImGuiInputTextState* state = ImGui::GetInputTextState(id);
+    if (!state || state->TextA.empty() || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) {
+        value = before;
+        return;
+    }
+    const std::string_view text = state->TextA.Data;
+    const std::optional<double> typed = text == state->InitialTextA.Data ? before : typed_number(text);
+    value = typed.value_or(before);
+    const bool outside = typed && (*typed < bar.range.low || *typed > bar.range.high);
+    if (text.empty() || (typed && !outside)) return;
+    const std::string why = typed ? "from " + brief(bar.range.low) + " to " + brief(bar.range.high)
+                                  : std::string("not yet a number, such as 0.5, 1/2, √2 or pi/4");
+    ImGui::SetNextWindowPos({ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + look.px(4)});
+    draw_tip(look, why.c_str());
+}
+
+}  // namespace
+
+bool number_bar(const Look& look, const char* id, double& value, const NumberBar& bar) {
+    const bool has_bar = bar.low < bar.high;
+    const float width = ImGui::CalcItemWidth();
+    const double before = value;
+    const ImGuiID field = ImGui::GetID(id);
+    const bool typing = ImGui::TempInputIsActive(field);
+    const bool dragging = !typing && ImGui::GetActiveID() == field;
+    // While dragged, the format tells what to round to; when typing begins, it tells how many digits to show.
+    const std::string format =
+        dragging ? "%." + std::to_string(std::max(0, static_cast<int>(std::lround(-std::log10(bar.step))))) + "f"
+                 : "%.6g";
+    const Track track = track_of(look, bar, width);
+    const double speed =
+        has_bar ? (bar.high - bar.low) / std::max(1.0f, track.right - track.left) : bar.step / look.scale;
+    const bool inside = has_bar && value >= bar.low && value <= bar.high;
+    const double low = inside ? bar.low : bar.range.low, high = inside ? bar.high : bar.range.high;
+
+    // Its own text would have a hyphen for a minus and hang in the middle.
+    ImGui::PushStyleColor(ImGuiCol_Text, typing ? look.text : ImVec4(0, 0, 0, 0));
+    bool changed = ImGui::DragScalar(id, ImGuiDataType_Double, &value, static_cast<float>(speed), &low, &high,
+                                     format.c_str(), ImGuiSliderFlags_None);
+    ImGui::PopStyleColor();
+    static double before_typing;  // one types into one field at a time
+    if (typing) {
+        read_typed(look, field, value, bar, before_typing);
+        changed = value != before;
+    } else if (ImGui::TempInputIsActive(field)) {
+        before_typing = before;
+    }
+    if (!ImGui::TempInputIsActive(field)) draw_bar(look, value, bar);
+    bar_tip(look, bar);
+    if (!changed) return false;
+    value = std::clamp(value, bar.range.low, bar.range.high) + 0.0;  // + 0: not −0
+    return value != before;
+}
+
+bool number_bar(const Look& look, const char* id, int& value, const NumberBar& bar) {
+    double number = value;
+    NumberBar whole = bar;
+    whole.step = 1.0;
+    whole.decimals = 0;
+    if (!number_bar(look, id, number, whole)) return false;
+    const int now = static_cast<int>(std::lround(number));
+    const bool changed = now != value;
+    value = now;
+    return changed;
+}
+
+void direction_bars(const Look& look, const char* id, double& azimuth, double& elevation,
+                    const DirectionBar& azimuth_bar, const DirectionBar& elevation_bar) {
+    const float gap = look.px(6), half = std::floor((ImGui::GetContentRegionAvail().x - gap) / 2);
+    const auto bar = [&](const char* which, double& degrees, const DirectionBar& text, double most,
+                         const Range& range) {
+        ImGui::SetNextItemWidth(half);
+        number_bar(look, which, degrees,
+                   {.letter = text.letter,
+                    .low = -most,
+                    .high = most,
+                    .step = 1,
+                    .decimals = 0,
+                    .unit = "°",
+                    .range = range,
+                    .about = text.about});
+    };
+    ImGui::PushID(id);
+    bar("##azimuth", azimuth, azimuth_bar, 180, kDegrees);
+    ImGui::SameLine(0, gap);
+    bar("##elevation", elevation, elevation_bar, 90, {-90, 90});
+    ImGui::PopID();
+}
+
+bool icon_button(const Look& look, const char* id, Icon icon, const char* about, bool enabled, float side) {
+    ImGui::BeginDisabled(!enabled);
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+    const bool pressed = ImGui::Button(id, {look.px(side), look.px(side)});
+    ImGui::PopStyleColor();
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    draw_icon(*ImGui::GetWindowDrawList(), icon, {(low.x + high.x) / 2, (low.y + high.y) / 2}, look.px(side * 0.56f),
+              packed(look.text));
+    ImGui::EndDisabled();
+    tip(look, about);
+    return pressed;
+}
+
+bool segmented(const Look& look, const char* id, int& chosen, std::span<const Choice> choices) {
+    ImGui::PushID(id);
+    const float height = ImGui::GetFrameHeight() + look.px(2), inset = look.px(2);
+    const float width = (ImGui::CalcItemWidth() - 2 * inset) / static_cast<float>(choices.size());
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    ImGui::GetWindowDrawList()->AddRectFilled(from, {from.x + ImGui::CalcItemWidth(), from.y + height},
+                                              packed(look.field), look.px(7));
+    bool changed = false;
+    ImGui::BeginGroup();
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+        const bool down = static_cast<std::size_t>(chosen) == i;
+        ImGui::SetCursorScreenPos({std::round(from.x + inset + width * static_cast<float>(i)), from.y + inset});
+        ImGui::PushStyleColor(ImGuiCol_Button, down ? look.accent : ImVec4(0, 0, 0, 0));
+        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, down ? look.accent : look.line);
+        ImGui::PushStyleColor(ImGuiCol_ButtonActive, down ? look.accent : look.line);
+        ImGui::PushStyleColor(ImGuiCol_Text, down ? look.on_accent : look.text);
+        if (ImGui::Button(choices[i].label, {std::floor(width), height - 2 * inset}) && !down) {
+            chosen = static_cast<int>(i);
+            changed = true;
+        }
+        ImGui::PopStyleColor(4);
+        tip(look, choices[i].about);
+    }
+    ImGui::SetCursorScreenPos({from.x, from.y + height - ImGui::GetStyle().ItemSpacing.y});
+    ImGui::Dummy({ImGui::CalcItemWidth(), 0});
+    ImGui::EndGroup();
+    ImGui::PopID();
+    return changed;
+}
+
+void text_right(std::string_view text, float right) {
+    const float width = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+    ImGui::SetCursorPosX(std::round(right - width));
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+}
+
+void dim_text(const Look& look, std::string_view text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, look.dim);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopStyleColor();
+}
+
+std::string shortened(std::string text, float width) {
+    if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+    while (!text.empty() && ImGui::CalcTextSize((text + "…").c_str()).x > width) {
+        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80) text.pop_back();
+        if (!text.empty()) text.pop_back();
+    }
+    return text + "…";
+}
+
+void matrix_in_brackets(const Look& look, const glm::dmat4& m, float width) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    const float row = ImGui::GetTextLineHeight() + look.px(3), pad = look.px(6);
+    const float height = 4 * row + pad, column = (width - 2 * pad) / 4, lip = look.px(5),
+                weight = std::max(1.0f, look.px(1.25f));
+    for (const float side : {0.0f, 1.0f}) {
+        const float x = from.x + side * width, inward = side == 0.0f ? lip : -lip;
+        list.PathLineTo({x + inward, from.y});
+        list.PathLineTo({x, from.y});
+        list.PathLineTo({x, from.y + height});
+        list.PathLineTo({x + inward, from.y + height});
+        list.PathStroke(packed(look.text), 0, weight);
+    }
+    list.AddRectFilled({from.x + pad, from.y + pad / 2},
+                       {from.x + pad + 3 * column + look.px(3), from.y + pad / 2 + 3 * row}, packed(look.field),
+                       look.px(5));
+    for (int r = 0; r < 4; ++r)
+        for (int c = 0; c < 4; ++c) {
+            const std::string text = fixed(m[c][r]);
+            const float right = from.x + pad + column * static_cast<float>(c + 1) - look.px(3);
+            list.AddText({std::round(right - ImGui::CalcTextSize(text.c_str()).x),
+                          std::round(from.y + pad / 2 + row * static_cast<float>(r) + look.px(1))},
+                         packed(r < 3 && c < 3 ? look.text : look.dim), text.c_str());
+        }
+    ImGui::Dummy({width, height});
+}
+
+}  // namespace normalscope

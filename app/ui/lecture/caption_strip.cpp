@@ -1,0 +1,233 @@
+#include "ui/lecture/caption_strip.h"
+
+#include "ui/kit/widgets.h"
+#include "ui/typeset/math_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace normalscope {
+
+namespace {
+
+constexpr float kPad = 20.0f, kHeader = 34.0f, kGap = 7.0f, kBottom = 12.0f;
+constexpr float kTwoColumns = 640.0f;  // from this width on, choices stand in two columns
+
+MathStyle style_with(const Look& look, const ImFont* words, const ImFont* below) {
+    MathStyle style = math_style(look);
+    style.script = words;
+    style.subscript_in_text = below;
+    return style;
+}
+
+MathBox caption_box(const Look& look, std::string_view text, float width) {
+    return paragraph(style_with(look, look.fonts.caption, look.fonts.small), text, width, Ink::Plain,
+                     Meaning::InverseTranspose);
+}
+MathBox note_box(const Look& look, std::string_view text, float width, Ink ink) {
+    return paragraph(style_with(look, look.fonts.body, look.fonts.tiny), text, width, ink, Meaning::InverseTranspose);
+}
+MathBox equation_box(const Look& look, std::string_view text, float width) {
+    return paragraph(style_with(look, look.fonts.equation, look.fonts.body), text, width, Ink::Plain,
+                     Meaning::InverseTranspose);
+}
+
+std::size_t columns_of(const Look& look, const Question& question, float width) {
+    return width >= look.px(kTwoColumns) && question.choices.size() > 2 ? 2 : 1;
+}
+float choice_width(const Look& look, std::size_t columns, float width) {
+    return std::floor((width - static_cast<float>(columns - 1) * look.px(kGap)) / static_cast<float>(columns));
+}
+MathBox choice_box(const Look& look, const Answer& choice, float width) {
+    return note_box(look, choice.text, width - look.px(30 + 12), Ink::Plain);
+}
+std::string verdict(const Answer& choice) { return (choice.right ? "✓  " : "✗  ") + choice.because; }
+
+float height_of(const Look& look, const MathBox& box) { return box.height() + look.px(kGap); }
+
+float question_height(const Look& look, const Question& question, float width) {
+    float height = height_of(look, note_box(look, question.text, width, Ink::Plain)), because = 0.0f;
+    const std::size_t columns = columns_of(look, question, width);
+    const float each = choice_width(look, columns, width);
+    for (std::size_t i = 0; i < question.choices.size(); i += columns) {
+        float row = 0.0f;
+        for (std::size_t k = i; k < std::min(i + columns, question.choices.size()); ++k)
+            row = std::max(row, choice_box(look, question.choices[k], each).height());
+        height += row + look.px(10 + 5);
+    }
+    for (const Answer& choice : question.choices)
+        because = std::max(because, height_of(look, note_box(look, verdict(choice), width, Ink::Good)));
+    return height + because;
+}
+
+float height_of(const Look& look, const Speech& speech, float width) {
+    float height = height_of(look, caption_box(look, speech.caption, width));
+    if (!speech.look_at.empty()) height += height_of(look, note_box(look, speech.look_at, width, Ink::Dim));
+    for (const std::string& line : speech.equations) height += height_of(look, equation_box(look, line, width));
+    if (speech.question) height += question_height(look, *speech.question, width);
+    return height;
+}
+
+/// Puts boxes below each other.
+class Column {
+public:
+    Column(const Look& look, ImVec2 at) : look_(look), at_(at) {}
+    void put(const MathBox& box) {
+        draw_math(*ImGui::GetWindowDrawList(), look_, box, {at_.x, std::round(at_.y + box.ascent)});
+        at_.y += height_of(look_, box);
+    }
+    ImVec2 at() const { return at_; }
+    void skip(float height) { at_.y += height; }
+
+private:
+    const Look& look_;
+    ImVec2 at_;
+};
+
+// A choice as a button with its number, which is also its key.
+bool choice_button(const Look& look, const Answer& choice, std::size_t i, bool chosen, ImVec2 at, ImVec2 size) {
+    ImGui::SetCursorScreenPos(at);
+    const ImVec4 mark = !chosen ? look.dim : choice.right ? look.good : look.bad;
+    const bool pressed = ImGui::Button(("##choice" + std::to_string(i)).c_str(), size);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (chosen)
+        list.AddRect(at, {at.x + size.x, at.y + size.y}, packed(mark), ImGui::GetStyle().FrameRounding, 0, look.px(2));
+    const std::string number = std::to_string(i + 1);
+    list.AddText(look.fonts.strong, look.fonts.strong->FontSize,
+                 {at.x + look.px(11), std::round(at.y + (size.y - look.fonts.strong->FontSize) / 2)}, packed(mark),
+                 number.c_str());
+    const MathBox box = choice_box(look, choice, size.x);
+    draw_math(list, look, box, {at.x + look.px(30), std::round(at.y + (size.y - box.height()) / 2 + box.ascent)});
+    return pressed;
+}
+
+void draw_question(const Look& look, const Question& question, const StripState& state, float width, Column& column,
+                   StripRequests& requests) {
+    column.put(note_box(look, question.text, width, Ink::Plain));
+    const std::size_t columns = columns_of(look, question, width);
+    const float each = choice_width(look, columns, width);
+    for (std::size_t i = 0; i < question.choices.size(); i += columns) {
+        const std::size_t end = std::min(i + columns, question.choices.size());
+        float row = 0.0f;
+        for (std::size_t k = i; k < end; ++k) row = std::max(row, choice_box(look, question.choices[k], each).height());
+        row += look.px(10);
+        for (std::size_t k = i; k < end; ++k) {
+            const ImVec2 at{column.at().x + static_cast<float>(k - i) * (each + look.px(kGap)), column.at().y};
+            if (choice_button(look, question.choices[k], k, state.answer == k, at, {each, row})) requests.choose = k;
+        }
+        column.skip(row + look.px(5));
+    }
+    if (!state.answer) return;
+    const Answer& chosen = question.choices[*state.answer];
+    column.put(note_box(look, verdict(chosen), width, chosen.right ? Ink::Good : Ink::Bad));
+}
+
+// Ends at `right`, which it moves to its own left.
+bool text_button(const Look& look, const char* label, const char* about, bool enabled, float& right) {
+    const float side = look.px(30), width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
+    right -= width + look.px(10);
+    ImGui::SetCursorPos({right, look.px(4) + std::round((side - ImGui::GetFrameHeight()) / 2)});
+    ImGui::BeginDisabled(!enabled);
+    const bool pressed = ImGui::Button(label);
+    ImGui::EndDisabled();
+    tip(look, about);
+    return pressed;
+}
+
+// At the right: where one is, and the way on.
+float draw_ways(const Look& look, const StripState& state, float right, StripRequests& requests) {
+    const float side = look.px(30);
+    float x = right;
+    if (state.closes) {
+        x -= side;
+        ImGui::SetCursorPos({x, look.px(4)});
+        const char* about = state.count > 0 ? "Leave the lesson; it opens again at this step. (Esc)" : "Leave. (Esc)";
+        if (icon_button(look, "##leave", Icon::Close, about)) requests.close = true;
+    }
+    for (std::size_t i = state.actions.size(); i-- > 0;) {
+        const StripAction& action = state.actions[i];
+        if (text_button(look, action.label, action.about, action.enabled, x)) requests.action = i;
+    }
+    if (state.count == 0) return x;
+    x -= side + look.px(6);
+    ImGui::SetCursorPos({x, look.px(4)});
+    const bool more = state.number + 1 < state.count;
+    if (icon_button(look, "##next", Icon::Right,
+                    more ? "Next step (Page Down, right arrow)" : "Next lesson (Page Down, right arrow)",
+                    more || state.goes_on))
+        requests.next = true;
+    const std::string where = std::to_string(state.number + 1) + " of " + std::to_string(state.count);
+    const float wide = ImGui::CalcTextSize(where.c_str()).x;
+    x -= wide + look.px(4);
+    ImGui::SetCursorPos({x, look.px(4) + std::round((side - ImGui::GetTextLineHeight()) / 2)});
+    ImGui::TextUnformatted(where.c_str());
+    x -= side + look.px(4);
+    ImGui::SetCursorPos({x, look.px(4)});
+    if (icon_button(look, "##previous", Icon::Left, "Previous step (Page Up, left arrow)", state.number > 0))
+        requests.previous = true;
+    if (state.strayed && text_button(look, "Back to the step",
+                                     "The scene has been changed: this shows it as the lesson has it. (Home)", true, x))
+        requests.again = true;
+    return x;
+}
+
+// How far one is, as a line above everything.
+void draw_progress(const Look& look, const StripState& state, ImVec2 low, float width) {
+    if (state.count < 1) return;
+    const float done = width * static_cast<float>(state.number + 1) / static_cast<float>(state.count);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, {low.x + width, low.y + look.px(3)}, packed(look.line));
+    list.AddRectFilled(low, {low.x + done, low.y + look.px(3)}, packed(look.accent));
+}
+
+}  // namespace
+
+Speech speech_of(const LessonStep& step) { return {step.caption, step.look_at, step.equations, step.question}; }
+
+float CaptionStrip::height(const Look& look, std::span<const Speech> speeches, float width, float most) {
+    if (!measured_ || measured_->width != width || !std::ranges::equal(measured_->speeches, speeches)) {
+        measured_ = Measured{{speeches.begin(), speeches.end()}, width, 0.0f};
+        for (const Speech& speech : speeches)
+            measured_->height =
+                std::max(measured_->height, height_of(look, speech, std::max(width - 2 * look.px(kPad), look.px(80))));
+    }
+    return std::min(std::ceil(measured_->height + look.px(kHeader + kBottom)), most);
+}
+
+StripRequests CaptionStrip::draw(const Look& look, const Speech& speech, const StripState& state, ImVec2 low,
+                                 ImVec2 size) {
+    StripRequests requests;
+    ImGui::SetNextWindowPos(low);
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    ImGui::Begin("##captions", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse |
+                     ImGuiWindowFlags_NoFocusOnAppearing);
+    ImGui::PopStyleVar(2);
+    draw_progress(look, state, low, size.x);
+    const float left = draw_ways(look, state, size.x - look.px(10), requests);
+    ImGui::SetCursorPos({look.px(kPad), look.px(4) + std::round((look.px(30) - ImGui::GetTextLineHeight()) / 2)});
+    dim_text(look, shortened(state.title, left - look.px(kPad + 16)));
+
+    // Where the words are more than the strip holds, they scroll.
+    ImGui::SetCursorPos({0, look.px(kHeader)});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+    ImGui::BeginChild("##words", {size.x, size.y - look.px(kHeader)}, 0, ImGuiWindowFlags_NavFlattened);
+    const float width = std::max(size.x - 2 * look.px(kPad), look.px(80));
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    Column column(look, {origin.x + look.px(kPad), origin.y + look.px(2)});
+    column.put(caption_box(look, speech.caption, width));
+    for (const std::string& line : speech.equations) column.put(equation_box(look, line, width));
+    if (!speech.look_at.empty()) column.put(note_box(look, speech.look_at, width, Ink::Dim));
+    if (speech.question) draw_question(look, *speech.question, state, width, column, requests);
+    ImGui::SetCursorScreenPos(origin);
+    ImGui::Dummy({1, column.at().y - origin.y});
+    ImGui::EndChild();
+    ImGui::PopStyleVar();
+    ImGui::End();
+    return requests;
+}
+
+}  // namespace normalscope

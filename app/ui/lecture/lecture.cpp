@@ -1,0 +1,196 @@
+#include "ui/lecture/lecture.h"
+
+#include "core/lessons/scene_caption.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace normalscope {
+
+namespace {
+
+// More words than this leave too little of the picture.
+constexpr float kLargestShare = 0.5f;
+
+}  // namespace
+
+void Lecture::start(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::optional<std::size_t> step) {
+    const auto left_at = progress.find(lesson->name);
+    std::size_t first = step.value_or(left_at == progress.end() ? 0 : left_at->second);
+    if (!step && first + 1 >= lesson->steps.size()) first = 0;  // it had been gone through
+    predict.stop();
+    player.start(std::move(lesson), first, scene);
+    go_to(player.number(), scene);
+}
+
+void Lecture::leave(Scene& scene) {
+    player.stop();
+    predict.leave(scene);
+    tab_.reset();
+    if (std::exchange(opened_tab_, false)) tab_ = "";
+}
+
+void Lecture::go_to(std::size_t step, const Scene& scene) {
+    announces_next_ = false;
+    player.go_to(step, scene);
+    progress[player.lesson().name] = player.number();
+    const std::string& tab = player.step().tab;
+    if (!tab.empty() || opened_tab_) tab_ = tab;
+    opened_tab_ = !tab.empty();
+}
+
+std::optional<std::string> Lecture::wanted_tab() { return std::exchange(tab_, std::nullopt); }
+
+bool Lecture::press(LectureKey key, Scene& scene, const Frame* frame) {
+    switch (key) {
+        case LectureKey::Black:
+        case LectureKey::White:
+            if (!presenting) return false;
+            blank_ = key == LectureKey::Black ? Theme::Dark : Theme::Light;
+            return true;
+        default: break;
+    }
+    if (predict.running()) return press_in_exercise(key, scene, frame);
+    return player.running() && press_in_lesson(key, scene);
+}
+
+bool Lecture::press_in_lesson(LectureKey key, const Scene& scene) {
+    switch (key) {
+        case LectureKey::Next:
+        case LectureKey::Right: return go_on(scene);
+        case LectureKey::Previous:
+        case LectureKey::Left: return go_back(scene);
+        case LectureKey::Again: go_to(player.number(), scene); return true;
+        default: {
+            if (key < LectureKey::First || !player.step().question || announces_next_) return false;
+            player.choose(static_cast<std::size_t>(key) - static_cast<std::size_t>(LectureKey::First));
+            return true;
+        }
+    }
+}
+
+bool Lecture::go_on(const Scene& scene) {
+    if (player.has_next())
+        go_to(player.number() + 1, scene);
+    else if (const auto next = next_lesson(); next && std::exchange(announces_next_, true))
+        wanted_lesson_ = next->name;
+    return true;
+}
+
+bool Lecture::go_back(const Scene& scene) {
+    if (!std::exchange(announces_next_, false) && player.has_previous()) go_to(player.number() - 1, scene);
+    return true;
+}
+
+std::optional<BuiltInLesson> Lecture::next_lesson() const {
+    const std::vector<BuiltInLesson>& lessons = built_in_lessons();
+    const auto it = std::ranges::find(lessons, player.lesson().name, &BuiltInLesson::name);
+    if (it == lessons.end() || it + 1 == lessons.end()) return std::nullopt;
+    return *(it + 1);
+}
+
+bool Lecture::press_in_exercise(LectureKey key, Scene& scene, const Frame* frame) {
+    constexpr double kDegrees = 3.0;
+    const auto turn = [&](double right, double up) {
+        if (frame) predict.turn(*frame, right, up);
+        return true;
+    };
+    switch (key) {
+        case LectureKey::Right: return turn(kDegrees, 0.0);
+        case LectureKey::Left: return turn(-kDegrees, 0.0);
+        case LectureKey::Up: return turn(0.0, kDegrees);
+        case LectureKey::Down: return turn(0.0, -kDegrees);
+        case LectureKey::Next: predict.next(scene); return true;
+        case LectureKey::Enter:
+            if (predict.answered())
+                predict.next(scene);
+            else
+                predict.check(scene);
+            return true;
+        case LectureKey::Hint: predict.hint(); return true;
+        default:
+            if (key < LectureKey::First || !predict.speech().question) return false;
+            predict.choose(static_cast<std::size_t>(key) - static_cast<std::size_t>(LectureKey::First), scene);
+            return true;
+    }
+}
+
+void Lecture::start_exercises(std::uint64_t seed, Scene& scene) {
+    if (player.running()) player.arrive(scene);  // what is gone back to is a step, nothing halfway
+    leave(scene);
+    predict.start(seed, scene);
+}
+
+std::vector<Speech> Lecture::speeches() const {
+    std::vector<Speech> all;
+    if (predict.running())
+        all = predict.speeches();
+    else if (player.running())
+        for (const LessonStep& step : player.lesson().steps) all.push_back(speech_of(step));
+    else if (presenting)
+        all.push_back(said_);
+    return all;
+}
+
+float Lecture::strip_height(const Look& look, float width, float window_height) {
+    const std::vector<Speech> all = speeches();
+    if (all.empty() || !look.fonts.caption) return 0.0f;
+    return strip_.height(look, all, width, std::floor(kLargestShare * window_height));
+}
+
+void Lecture::draw(const Look& look, Scene& scene, ImVec2 strip_low, ImVec2 strip_size) {
+    if (player.running() && !recorded)
+        player.advance(std::min(static_cast<double>(ImGui::GetIO().DeltaTime), 0.1), scene);
+    if (presenting && !player.running() && !predict.running()) {
+        SceneSaid said = said_of(scene);
+        said_ = {std::move(said.caption), {}, std::move(said.equations), {}};
+    }
+    const std::vector<Speech> all = speeches();
+    if (all.empty() || strip_size.y < 1.0f || !look.fonts.caption) return;
+    if (predict.running()) {
+        predict.obey(strip_.draw(look, all.front(), predict.state(), strip_low, strip_size), scene);
+        return;
+    }
+    StripState state;
+    const auto next = player.running() && !recorded && !player.has_next() ? next_lesson() : std::nullopt;
+    if (player.running())
+        state = {player.lesson().title,
+                 player.number(),
+                 player.lesson().steps.size(),
+                 player.answer(),
+                 player.strayed(scene) && !recorded,
+                 !recorded,
+                 next.has_value(),
+                 {}};
+    Speech speech = player.running() ? all[player.number()] : all.front();
+    if (next && announces_next_) speech = {"Next lesson: " + next->title + ". Once more opens it.", {}, {}, {}};
+    const StripRequests requests = strip_.draw(look, speech, state, strip_low, strip_size);
+    if (!player.running()) {
+        return;
+    }
+    if (requests.choose) player.choose(*requests.choose);
+    if (requests.next) press_in_lesson(LectureKey::Next, scene);
+    if (requests.previous) press_in_lesson(LectureKey::Previous, scene);
+    if (requests.again) press_in_lesson(LectureKey::Again, scene);
+    if (requests.close) leave(scene);
+}
+
+void Lecture::draw_screen(const Look& look, bool pointer_rests) const {
+    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    const ImGuiIO& io = ImGui::GetIO();
+    if (blank_) {
+        list.AddRectFilled({0, 0}, io.DisplaySize, *blank_ == Theme::Dark ? IM_COL32_BLACK : IM_COL32_WHITE);
+        return;
+    }
+    // So that people at the back find the pointer; a ring, so that what it is on stays to be seen.
+    if (presenting && !pointer_rests && ImGui::IsMousePosValid()) {
+        list.AddCircleFilled(io.MousePos, look.px(15), IM_COL32(240, 228, 66, 90), 48);
+        list.AddCircle(io.MousePos, look.px(15), IM_COL32(20, 20, 20, 150), 48, look.px(1));
+        list.AddCircle(io.MousePos, look.px(14), IM_COL32(240, 228, 66, 255), 48, look.px(2));
+    }
+}
+
+}  // namespace normalscope

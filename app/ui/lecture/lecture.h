@@ -1,0 +1,77 @@
+#pragma once
+
+#include "core/lessons/lesson_player.h"
+#include "ui/kit/style.h"
+#include "ui/lecture/caption_strip.h"
+#include "ui/lecture/exercise_view.h"
+#include "ui/lecture/lecture_key.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace normalscope {
+
+/// The lesson that is gone through, and how a lecturer shows it: the strip of words below the picture, large words and
+/// an empty screen in presenter mode.
+class Lecture {
+public:
+    LessonPlayer player;
+    Predict predict;                              ///< instead of a lesson
+    std::map<std::string, std::size_t> progress;  ///< the step at which each lesson was left
+
+    void start(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::optional<std::size_t> step);
+    /// A lesson's step stays, to be played with; exercises give back the scene that was there before them.
+    void leave(Scene& scene);
+    /// Pictures are made of it, one by one: it moves by itself no more.
+    bool recorded = false;
+
+    bool presenting = false;
+    void present(bool on) { presenting = on, blank_.reset(); }
+    /// The screen shows nothing, so that people look at the speaker.
+    bool end_blank() { return std::exchange(blank_, std::nullopt).has_value(); }
+
+    /// Whether the key is for the lecture now. If so it has done what it asks for.
+    bool press(LectureKey key, Scene& scene, const Frame* frame);
+    void start_exercises(std::uint64_t seed, Scene& scene);
+
+    /// The strip's height, below a picture of this width in a window of that height; 0 without one.
+    float strip_height(const Look& look, float width, float window_height);
+    /// The strip, and whatever moves.
+    void draw(const Look& look, Scene& scene, ImVec2 strip_low, ImVec2 strip_size);
+    /// In front of all else.
+    void draw_screen(const Look& look, bool pointer_rests) const;
+    /// The tab that the step wants open, or an empty name for none, once after it has been reached.
+    std::optional<std::string> wanted_tab();
+    /// The lesson that is gone on to, once after it has been asked for.
+    std::optional<std::string> wanted_lesson() { return std::exchange(wanted_lesson_, std::nullopt); }
+
+    /// There are words below the picture.
+    bool talks() const { return player.running() || predict.running() || presenting; }
+    /// It wants to be drawn again at once.
+    bool moving() const { return player.running() && player.moving(); }
+    void forget_layout() { strip_.forget_layout(); }
+
+private:
+    void go_to(std::size_t step, const Scene& scene);
+    bool press_in_lesson(LectureKey key, const Scene& scene);
+    bool press_in_exercise(LectureKey key, Scene& scene, const Frame* frame);
+    bool go_on(const Scene& scene);
+    bool go_back(const Scene& scene);
+    /// The built-in lesson after the one that is gone through, if there is one.
+    std::optional<BuiltInLesson> next_lesson() const;
+    std::vector<Speech> speeches() const;
+
+    CaptionStrip strip_;
+    std::optional<Theme> blank_;  ///< dark: black, light: white
+    std::optional<std::string> tab_;
+    bool opened_tab_ = false;  ///< so that it is closed again
+    /// After the last step the next lesson is announced, and opened only when asked once more: nobody slips into it.
+    bool announces_next_ = false;
+    std::optional<std::string> wanted_lesson_;
+    Speech said_;  ///< of the scene, as of the last draw: in presenter mode without a lesson
+};
+
+}  // namespace normalscope

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "ui/kit/file_dialog.h"
+#include "ui/kit/requests.h"
+#include "ui/kit/side_panel.h"
+#include "ui/kit/style.h"
+
+#include <span>
+
+namespace normalscope {
+
+/// What the panel's parts look at and act on.
+struct PanelContext {
+    const Look& look;
+    const Frame& frame;
+    const Status& status;
+    Requests& requests;
+    FileDialog& dialog;
+    std::span<const SideTab> tabs;  ///< of the panel at the right
+    SideMemory& side;
+    bool& help;
+};
+
+/// Logical pixels.
+inline constexpr float kPanelWidth = 388.0f;
+
+}  // namespace normalscope

@@ -1,0 +1,160 @@
+#include "ui/panel/panel.h"
+
+#include "core/scene/mistakes.h"
+#include "core/scene/palette.h"
+#include "core/scene/scene_fields.h"
+#include "ui/kit/widgets.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace normalscope {
+
+namespace {
+
+struct RuleButton {
+    Rule rule;
+    const char *label, *key, *about;
+};
+constexpr std::array<RuleButton, 3> kButtons{{
+    {Rule::Naive, "naive", "N",
+     "M n: the normal treated as if it were a vector. Right for rigid maps, and up to length for uniform scales and "
+     "reflections; "
+     "wrong as soon as M stretches unevenly. (N)"},
+    {Rule::InverseTranspose, "inverse transpose", "I",
+     "(M⁻¹)ᵀ n: how a gradient transforms, ∇(f ∘ M⁻¹) = (M⁻¹)ᵀ ∇f. Perpendicular to the surface whatever M does, and "
+     "always "
+     "pointing outward. (I)"},
+    {Rule::Cofactor, "cofactor", "C",
+     "cof(M) n, where cof(M) = det(M) (M⁻¹)ᵀ: exists even where M has no inverse. Follows the triangle's winding, "
+     "which a "
+     "reflection turns over. (C)"},
+}};
+
+// The largest font in which the text fits.
+const ImFont* fitting(const Look& look, std::string_view text, float width) {
+    for (const ImFont* font : {look.fonts.title, look.fonts.strong})
+        if (font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.data(), text.data() + text.size()).x <= width)
+            return font;
+    return look.fonts.small;
+}
+
+// Some formulas go on in words, which the button has no room for.
+std::string_view before_comma(std::string_view text) { return text.substr(0, text.find(", as")); }
+
+void button(const Look& look, Scene& scene, const RuleButton& b, bool exists, ImVec2 size) {
+    // The scene may put another mistake into the naive rule's place.
+    const bool mistaken = b.rule == Rule::Naive && scene.mistake != Mistake::Naive;
+    const MistakeText mistake = text(scene.mistake);
+    const std::string_view label = mistaken ? mistake.title : std::string_view(b.label),
+                           mathematics = mistaken ? before_comma(mistake.formula) : formula(b.rule);
+    const bool chosen = scene.rule == b.rule;
+    const glm::vec3 color = rule_color(b.rule);
+    const ImVec4 tint = to_imgui(color), ink = look.readable(b.rule);
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, exists ? 1.0f : 0.5f);
+    ImGui::PushStyleColor(ImGuiCol_Button, chosen ? faded(tint, 0.20f) : look.card);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(tint, chosen ? 0.26f : 0.12f));
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(tint, 0.32f));
+    ImGui::PushID(b.label);
+    if (ImGui::Button("##rule", size)) scene.rule = b.rule;
+    ImGui::PopID();
+    ImGui::PopStyleColor(3);
+
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (chosen) list.AddRect({low.x + 1, low.y + 1}, {high.x - 1, high.y - 1}, packed(tint), look.px(6), 0, look.px(2));
+    const auto centred = [&](const ImFont* font, float middle, ImVec4 ink_color, std::string_view words) {
+        const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, words.data(), words.data() + words.size());
+        list.AddText(font, font->FontSize,
+                     {std::round((low.x + high.x - extent.x) / 2), std::round(middle - font->FontSize / 2)},
+                     packed(ink_color), words.data(), words.data() + words.size());
+    };
+    draw_arrow(list, arrow_kind(b.rule), {low.x + look.px(10), low.y + look.px(13)},
+               {low.x + look.px(38), low.y + look.px(13)}, look.px(3), packed(tint));
+    const ImVec2 key = look.fonts.small->CalcTextSizeA(look.fonts.small->FontSize, 1e9f, 0, b.key);
+    list.AddText(look.fonts.small, look.fonts.small->FontSize, {high.x - key.x - look.px(8), low.y + look.px(4)},
+                 packed(look.dim), b.key);
+    centred(fitting(look, mathematics, size.x - look.px(12)), low.y + look.px(18) + look.fonts.title->FontSize / 2, ink,
+            mathematics);
+    ImGui::PushFont(look.fonts.small);
+    const std::string whole_label = shortened(std::string(label), size.x - look.px(4));
+    ImGui::PopFont();
+    centred(look.fonts.small, low.y + look.px(44) + look.fonts.small->FontSize / 2, chosen ? look.text : look.dim,
+            whole_label);
+    ImGui::PopStyleVar();
+
+    const std::string about =
+        (mistaken ? std::string(mistake.title) + ", in the naive rule's place: " + std::string(mistake.formula) + ". " +
+                        std::string(mistake.reason) + " (N)"
+                  : std::string(b.about)) +
+        (exists
+             ? ""
+             : "\n\nNot here: this M has no inverse. It can still be chosen; the surface is then drawn without light.");
+    tip(look, about.c_str());
+}
+
+}  // namespace
+
+void rule_buttons(Scene& scene, const PanelContext& context) {
+    const Look& look = context.look;
+    const bool invertible = !context.frame.probe || !context.frame.probe->object.has_normal() ||
+                            context.frame.probe->normals[static_cast<std::size_t>(Rule::InverseTranspose)];
+    const float gap = look.px(6), width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3);
+    for (std::size_t i = 0; i < kButtons.size(); ++i) {
+        if (i > 0) ImGui::SameLine(0, gap);
+        button(look, scene, kButtons[i], kButtons[i].rule != Rule::InverseTranspose || invertible,
+               {width, look.px(66)});
+    }
+}
+
+void mistake_chooser(Scene& scene, const PanelContext& context) {
+    const Look& look = context.look;
+    const MistakeText chosen = text(scene.mistake);
+    const bool plain = scene.mistake == Mistake::Naive;
+    const float width = ImGui::GetContentRegionAvail().x;
+    if (begin_combo(look, "##mistake",
+                    plain ? std::string("mistake: the naive rule") : "mistake: " + std::string(chosen.title), width)) {
+        const ImFont* small = look.fonts.small;
+        for (const auto& [mistake, id] : kMistakeNames) {
+            const MistakeText words = text(mistake);
+            const std::string title(words.title), formula(words.formula);
+            ImGui::PushID(static_cast<int>(mistake));
+            if (ImGui::Selectable("##choose", mistake == scene.mistake)) scene.mistake = mistake;
+            ImGui::PopID();
+            const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+            tip(look, std::string(words.reason).c_str());
+            ImDrawList& list = *ImGui::GetWindowDrawList();
+            const float top = std::round((low.y + high.y - ImGui::GetFontSize()) / 2);
+            list.AddText({low.x + look.px(8), top}, packed(look.text), title.c_str());
+            list.AddText(small, small->FontSize,
+                         {high.x - look.px(8) - small->CalcTextSizeA(small->FontSize, 1e9f, 0, formula.c_str()).x,
+                          top + look.px(1)},
+                         packed(look.readable(Rule::Naive)), formula.c_str());
+        }
+        ImGui::EndCombo();
+    } else {
+        tip(look,
+            "What stands in the naive rule's place, as the vermillion arrows: another mistake that programs make.");
+    }
+    if (plain) return;
+    ImGui::PushFont(look.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, look.dim);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+    ImGui::TextUnformatted(chosen.reason.data(), chosen.reason.data() + chosen.reason.size());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+void view_buttons(Scene& scene, const PanelContext& context) {
+    static constexpr std::array<Choice, 3> kViews{
+        {{"single", "The object by the chosen rule alone. (V for the next view)"},
+         {"split", "Naive at the left, correct at the right, one camera. (V for the next view)"},
+         {"overlay", "The rules' arrows on one object, and the angle between them. (V for the next view)"}}};
+    int view = static_cast<int>(scene.view);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    if (segmented(context.look, "view", view, kViews)) scene.view = static_cast<ViewMode>(view);
+}
+
+}  // namespace normalscope

@@ -1,0 +1,112 @@
+#include "ui/panel/panel.h"
+
+#include "core/base/error.h"
+#include "core/base/overload.h"
+#include "ui/kit/number_text.h"
+#include "ui/kit/widgets.h"
+#include "ui/panel/panel_memory.h"
+
+#include <array>
+#include <filesystem>
+#include <string>
+
+namespace normalscope {
+
+namespace {
+
+constexpr std::array<const char*, 7> kShapes{"Sphere", "Cube", "Cylinder", "Cone", "Torus", "Plane", "Dodecahedron"};
+
+// What the surface is, in a word or two.
+std::string current_name(const SurfaceSource& surface) {
+    return std::visit(
+        Overload{[](const ShapeSurface& s) { return std::string(kShapes.at(static_cast<std::size_t>(s.shape))); },
+                 [](const MeshSurface& m) { return std::filesystem::path(m.mesh).filename().string(); },
+                 [](const FormulaSurface&) { return std::string("Formula"); }},
+        surface);
+}
+
+void shape_picker(Scene& scene, PanelMemory& memory, const PanelContext& context) {
+    const Look& look = context.look;
+    const ShapeSurface* shape = std::get_if<ShapeSurface>(&scene.surface);
+    const MeshSurface* mesh = std::get_if<MeshSurface>(&scene.surface);
+    const bool formula = std::holds_alternative<FormulaSurface>(scene.surface);
+    const float open_width = look.px(96), gallery_width = look.px(76), gap = look.px(8);
+    const float width = ImGui::GetContentRegionAvail().x - open_width - gallery_width - 2 * gap;
+    const std::string current = current_name(scene.surface);
+    if (begin_combo(look, "##shape", current, width)) {
+        for (std::size_t i = 0; i < kShapes.size(); ++i) {
+            const bool chosen = shape && shape->shape == static_cast<Shape>(i);
+            if (ImGui::Selectable(kShapes[i], chosen)) {
+                scene.surface =
+                    ShapeSurface{static_cast<Shape>(i), shape ? shape->resolution : ShapeSurface{}.resolution};
+                context.requests.make_room = true;
+            }
+            if (chosen) ImGui::SetItemDefaultFocus();
+        }
+        if (ImGui::Selectable("Formula…", formula) && !formula) {
+            scene.surface = memory.formula.last;
+            memory.formula.focus = context.requests.make_room = true;
+        }
+        ImGui::EndCombo();
+    } else {
+        tip(look, mesh      ? mesh->mesh.c_str()
+                  : formula ? "f(x, y, z) = 0, with ∇f for its normal."
+                            : "A shape with exact normals.");
+    }
+    ImGui::SameLine(0, gap);
+    ImGui::PushStyleColor(ImGuiCol_Button, memory.gallery.open ? look.line : look.field);
+    const bool toggled = ImGui::Button("Gallery", {gallery_width, 0});
+    ImGui::PopStyleColor();
+    if (toggled) memory.gallery.toggle();
+    tip(look, "Surfaces by formula, with their pictures.");
+    ImGui::SameLine(0, gap);
+    if (ImGui::Button("Mesh file…", {open_width, 0})) context.dialog.open(FileDialog::For::OpenMesh);
+    tip(look, "Take the surface from a mesh file (.obj, .ply, .stl); everything else stays as it is.");
+}
+
+// Without M⁻¹ no ray goes to object space.
+bool drawn_by_triangles(const Scene& scene) {
+    try {
+        return std::holds_alternative<FormulaSurface>(scene.surface) && !world_from_object(scene).inverse();
+    } catch (const InputError&) {  // said elsewhere
+        return false;
+    }
+}
+
+void wrapped_line(std::string_view text) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopTextWrapPos();
+}
+
+}  // namespace
+
+void surface_section(Scene& scene, PanelMemory& memory, const PanelContext& context) {
+    const Look& look = context.look;
+    if (memory.formula.focus) ImGui::GetStateStorage()->SetBool(ImGui::GetID("Surface"), true);
+    if (!section(look, "Surface")) return;
+    shape_picker(scene, memory, context);
+    gallery(scene, memory.gallery, context);
+    formula_section(scene, memory.formula, context);
+    if (ShapeSurface* shape = std::get_if<ShapeSurface>(&scene.surface)) {
+        ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+        number_bar(look, "##resolution", shape->resolution,
+                   {.letter = "resolution",
+                    .low = 3,
+                    .high = 128,
+                    .zero = 3,
+                    .range = {3, 512},
+                    .about = "Segments around the shape, 3 to 512."});
+    }
+    if (!context.frame.surface) return;
+    const Mesh& mesh = context.frame.surface->mesh;
+    ImGui::PushFont(look.fonts.small);
+    dim_text(look, grouped(mesh.triangles.size()) + " triangles, " + grouped(mesh.face_count()) + " faces, " +
+                       grouped(mesh.positions.size()) + " vertices");
+    if (!mesh.note.empty() && !std::holds_alternative<FormulaSurface>(scene.surface)) wrapped_line(mesh.note);
+    if (drawn_by_triangles(scene))
+        wrapped_line("M has no inverse, so no ray goes to object space: what is drawn are these triangles.");
+    ImGui::PopFont();
+}
+
+}  // namespace normalscope

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "core/math/highlight.h"
+#include "core/picture/frame.h"
+#include "core/scene/scene.h"
+#include "ui/tabs/derivation_passages.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace normalscope {
+
+/// Logical pixels.
+inline constexpr float kDerivationWidth = 432.0f;
+
+/// The derivation at the right of the picture, with the scene's numbers. Each symbol is a name or a number, by click;
+/// a lecturer may uncover line after line.
+class DerivationPanel {
+public:
+    /// Does nothing unless `shown`. `top`: what is left free above it, for the tabs.
+    void draw(const Look& look, const Scene& scene, const Frame& frame, bool shown, float top = 0.0f);
+    /// The laid-out lines hold fonts: to be called when these are made anew.
+    void forget_layout() { laid_out_for_.reset(); }
+
+    std::optional<Highlight> pointed_at() const { return pointed_at_; }
+    void highlight(const std::optional<Highlight>& in_picture) { in_picture_ = in_picture; }
+
+private:
+    /// What the layout follows from.
+    struct Basis {
+        glm::dmat4 m{1.0};
+        int rank = 3, factors = 0;
+        std::vector<std::string> notes;
+        std::optional<std::array<glm::dvec3, 4>> probe;  ///< point, normal, tangents
+        std::size_t tangent = 0;
+        NamesOrNumbers shown;
+        float width = 0.0f;
+        friend bool operator==(const Basis&, const Basis&) = default;
+    };
+
+    void lay_out(const Look& look, const Scene& scene, const Frame& frame, float width);
+    void header(const Look& look);
+    void progress(const Look& look);
+    void keys();
+    void go_to(std::size_t passage);
+    void draw_notes(const Look& look);
+    void passage(const Look& look, std::size_t i);
+    void row(const Look& look, const Passage::Row& row, ImVec2 at);
+    void part_tip(const Look& look, const MathBox::Part& part) const;
+    std::optional<Highlight> highlight_of(const MathBox::Part& part) const;
+
+    NamesOrNumbers shown_;
+    std::size_t tangent_ = 0;
+    bool stepping_ = false;
+    int scroll_frames_ = 0;  ///< for so long, scroll to the current line
+    std::size_t current_ = 0;
+    std::optional<Highlight> pointed_at_, pointed_at_before_, in_picture_;
+
+    std::optional<Basis> laid_out_for_;
+    std::vector<Passage> passages_;
+    std::vector<MathBox> notes_;
+};
+
+}  // namespace normalscope

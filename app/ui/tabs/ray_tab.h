@@ -1,0 +1,10 @@
+#pragma once
+
+#include "ui/kit/side_panel.h"
+
+namespace normalscope {
+
+/// What a ray tracer does with one ray, step by step.
+void draw_ray_tab(Scene& scene, const SideContext& context);
+
+}  // namespace normalscope

@@ -1,0 +1,99 @@
+#include "ui/tabs/stack_player.h"
+
+#include "ui/kit/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace normalscope {
+
+namespace {
+
+constexpr double kSecondsAnEntry = 1.2;
+
+// What acts in full is as if nothing had been set, so that an entry that is added later acts, too.
+void set_position(Scene& scene, double position) {
+    if (position >= static_cast<double>(scene.stack.size()))
+        scene.stack_position.reset();
+    else
+        scene.stack_position = std::max(position, 0.0);
+}
+
+// Each entry begins and ends gently, so that one sees where the next one sets in.
+double eased(double time) {
+    const double whole = std::floor(time), t = time - whole;
+    return whole + t * t * (3.0 - 2.0 * t);
+}
+
+// What the slider's place means, in words.
+std::string said(const Scene& scene, double position) {
+    const std::size_t count = scene.stack.size(), whole = std::min(static_cast<std::size_t>(position), count);
+    if (count == 0) return "No transform: M = I.";
+    if (whole == count) return count == 1 ? "The whole stack acts." : "All " + std::to_string(count) + " entries act.";
+    const double part = position - static_cast<double>(whole);
+    const auto named = [&](std::size_t i) { return std::to_string(i + 1) + " " + std::string(name(scene.stack[i])); };
+    if (part <= 0.0)
+        return whole == 0 ? "Nothing acts yet: M = I." : "Up to " + named(whole - 1) + "; the others wait.";
+    return std::to_string(static_cast<int>(std::lround(100.0 * part))) + " % of " + named(whole) +
+           (whole == 0 ? "." : ", after " + named(whole - 1) + ".");
+}
+
+}  // namespace
+
+void advance(StackPlayer& player, Scene& scene) {
+    if (!player.playing) return;
+    const auto count = static_cast<double>(scene.stack.size());
+    if (!scene.stack_position || *scene.stack_position != player.position) {  // an undo, another scene, the slider
+        player.playing = false;
+        return;
+    }
+    // A window that was asleep, or draws slowly, must not jump.
+    player.time += std::min(static_cast<double>(ImGui::GetIO().DeltaTime), 0.1) / kSecondsAnEntry;
+    player.position = std::min(eased(player.time), count);
+    player.playing = player.time < count;
+    set_position(scene, player.position);
+}
+
+void player_controls(const Look& look, Scene& scene, StackPlayer& player) {
+    const auto count = static_cast<double>(scene.stack.size());
+    double position = std::min(scene.stack_position.value_or(count), count);
+    const bool any = !scene.stack.empty();
+    if (icon_button(look, "##play", player.playing ? Icon::Pause : Icon::Play,
+                    player.playing ? "Stop here." : "Let the entries act one after the other.", any)) {
+        player.playing = !player.playing;
+        if (player.playing) {  // from here on, or from the beginning where all is done
+            player.time = position >= count ? 0.0 : position;
+            player.position = eased(player.time);
+            set_position(scene, player.position);
+        }
+    }
+    ImGui::SameLine(0, look.px(2));
+    if (icon_button(look, "##previous", Icon::Previous, "One entry less.", any && position > 0.0))
+        set_position(scene, std::ceil(position) - 1.0);
+    ImGui::SameLine(0, look.px(2));
+    if (icon_button(look, "##next", Icon::Next, "One entry more.", any && position < count))
+        set_position(scene, std::floor(position) + 1.0);
+    ImGui::SameLine(0, look.px(6));
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (look.px(30) - ImGui::GetFrameHeight()) / 2);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    ImGui::BeginDisabled(!any);
+    position = std::min(scene.stack_position.value_or(count), count);
+    if (number_bar(look, "##position", position,
+                   {.letter = "acting",
+                    .low = 0.0,
+                    .high = std::max(count, 1e-9),
+                    .decimals = 2,
+                    .range = {0.0, std::max(count, 1e-9)},
+                    .about = "How many entries act, a fraction meaning part of the next: angles, offsets and factors "
+                             "grow evenly."})) {
+        set_position(scene, position);
+        player.playing = false;
+    }
+    ImGui::EndDisabled();
+    ImGui::PushFont(look.fonts.small);
+    dim_text(look, said(scene, position));
+    ImGui::PopFont();
+}
+
+}  // namespace normalscope

@@ -1,0 +1,32 @@
+#include "viewer/copied_command.h"
+
+#include "core/base/error.h"
+#include "core/lessons/open_scene.h"
+#include "core/picture/display_scale.h"
+#include "core/scene/scene_settings.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace normalscope {
+
+std::string capture_command(const Scene& scene, const std::string& file, glm::ivec2 size, float scale) {
+    std::string command = "normalscope capture";
+    Scene base;
+    try {
+        base = load_scene(file.empty() ? std::string(kDefaultScene) : file);
+        if (!file.empty()) command += " " + shell_word(file);
+    } catch (const InputError&) {  // it is there no longer
+        base = load_scene(std::string(kDefaultScene));
+    }
+    command += " -o picture.png --size " + std::to_string(size.x) + "x" + std::to_string(size.y);
+    if (std::abs(scale - usual_scale(size, false)) > 1e-3f) {
+        char text[32];
+        std::snprintf(text, sizeof text, "%.4g", static_cast<double>(scale));
+        command += std::string(" --scale ") + text;
+    }
+    for (const std::string& setting : settings_between(base, scene)) command += " --set " + shell_word(setting);
+    return command;
+}
+
+}  // namespace normalscope

@@ -1,0 +1,61 @@
+#include "core/surface/error_measures.h"
+
+#include "core/math/transform.h"
+#include "core/surface/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <numeric>
+
+namespace normalscope {
+namespace {
+
+TEST(ErrorMeasures, HistogramHoldsEveryNormalOnce) {
+    const Mesh sphere = make_shape({.shape = Shape::Sphere});
+    const NormalMatrices matrices = normal_matrices(glm::dmat3(0.5, 0, 0, 0, 2, 0, 0, 0, 1));
+    const auto histogram = error_histogram(sphere, {.matrix = glm::dmat4(matrices.naive)}, matrices);
+    ASSERT_TRUE(histogram);
+    EXPECT_NEAR(std::accumulate(histogram->shares.begin(), histogram->shares.end(), 0.0), 1.0, 1e-12);
+    EXPECT_EQ(histogram->most_degrees, 90.0);
+    EXPECT_NEAR(histogram->worst_degrees, 61.928, 0.1);
+    EXPECT_LT(histogram->mean_degrees, histogram->worst_degrees);
+}
+
+TEST(ErrorMeasures, HistogramOfARigidMapIsOneBar) {
+    const Mesh cube = make_shape({.shape = Shape::Cube});
+    const NormalMatrices matrices = normal_matrices(glm::dmat3(glm::rotate(glm::dmat4(1.0), 1.0, {1.0, 2.0, 3.0})));
+    const auto histogram = error_histogram(cube, {.matrix = glm::dmat4(matrices.naive)}, matrices);
+    ASSERT_TRUE(histogram);
+    EXPECT_NEAR(histogram->shares.front(), 1.0, 1e-12);
+}
+
+TEST(ErrorMeasures, ThereIsNoHistogramWithoutAnInverse) {
+    const NormalMatrices flat = normal_matrices(glm::dmat3(1, 0, 0, 0, 1, 0, 0, 0, 0));
+    EXPECT_FALSE(error_histogram(make_shape({}), {.matrix = glm::dmat4(flat.naive)}, flat));
+}
+
+TEST(ErrorMeasures, AMistakeMayTurnNormalsFartherThanARightAngle) {
+    const NormalMatrices matrices = normal_matrices(glm::dmat3(1.0));
+    const auto histogram = error_histogram(make_shape({}), {.matrix = glm::dmat4(-1.0)}, matrices);
+    ASSERT_TRUE(histogram);
+    EXPECT_EQ(histogram->most_degrees, 180.0);
+    EXPECT_NEAR(histogram->shares.back(), 1.0, 1e-12);
+}
+
+// Whatever M is: askew, mirrored, rigid, or without an inverse.
+TEST(ErrorMeasures, MeasuredPointsMeetTheClosedForm) {
+    const glm::dmat3 askew =
+        glm::dmat3(glm::rotate(glm::dmat4(1.0), 0.7, {1.0, 2.0, 3.0})) * glm::dmat3(1, 0, 0, 0.8, 1, 0, 0, 0.3, -2);
+    for (const glm::dmat3& m3 :
+         {askew, glm::dmat3(1.0), glm::dmat3(0.5, 0, 0, 0, 2, 0, 0, 0, 1), glm::dmat3(1, 0, 0, 0, 1, 0, 0, 0, 0),
+          glm::dmat3(0.0), glm::dmat3(1e-8, 0, 0, 0, 1, 0, 0, 0, 1e8)})
+        for (const MeasuredError& measured : measured_errors(m3)) {
+            EXPECT_LE(measured.degrees, error_bound_degrees(measured.k) + 1e-6) << measured.k;
+            EXPECT_NEAR(measured.degrees, error_bound_degrees(measured.k), 1.0) << measured.k;
+        }
+}
+
+}  // namespace
+}  // namespace normalscope
