@@ -21,7 +21,8 @@ namespace normalscope {
 
 /// Saves the two versions in turn in another process, which is killed in the middle of it, again and again: the file
 /// must always be the one or the other. Gives how many of the two it was seen to be.
-inline std::size_t killed_while_saving(const std::filesystem::path& file, const std::function<void(int version)>& save) {
+inline std::size_t killed_while_saving(const std::filesystem::path& file,
+                                       const std::function<void(int version)>& save) {
     std::array<std::string, 2> versions;
     for (const int v : {1, 0}) {
         save(v);

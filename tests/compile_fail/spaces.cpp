@@ -6,8 +6,8 @@ using namespace normalscope;
 
 struct View {};
 
-const Transform<World, Object> worldFromObject;
-const Transform<View, World> viewFromWorld;
+const Transform<World, Object> world_from_object;
+const Transform<View, World> view_from_world;
 const Point<Object> p, q;
 const Vector<Object> t;
 const Normal<Object> n;
@@ -17,12 +17,12 @@ const Normal<World> worldNormal;
 // What is allowed.
 const Vector<Object> difference = p - q;
 const Point<Object> moved = p + t;
-const Point<World> image = worldFromObject(p);
-const Vector<World> tangentImage = worldFromObject(t);
-const std::optional<Normal<World>> normalImage = worldFromObject(n);
-const Normal<World> naiveImage = transform_normal_naively(worldFromObject, n);
+const Point<World> image = world_from_object(p);
+const Vector<World> tangentImage = world_from_object(t);
+const std::optional<Normal<World>> normalImage = world_from_object(n);
+const Normal<World> naiveImage = transform_normal_naively(world_from_object, n);
 const double product = dot(n, t);
-const Transform<View, Object> viewFromObject = viewFromWorld * worldFromObject;
+const Transform<View, Object> view_from_object = view_from_world * world_from_object;
 
 #ifdef EXPECT_ERROR_points_do_not_add
 const auto sum = p + q;
@@ -33,11 +33,11 @@ const auto gap = worldPoint - p;
 #endif
 
 #ifdef EXPECT_ERROR_a_normal_does_not_go_through_M
-const Vector<World> image_by_m = worldFromObject(n);
+const Vector<World> image_by_m = world_from_object(n);
 #endif
 
 #ifdef EXPECT_ERROR_a_normals_image_may_not_exist
-const Normal<World> always = worldFromObject(n);
+const Normal<World> always = world_from_object(n);
 #endif
 
 #ifdef EXPECT_ERROR_a_normal_is_no_vector
@@ -49,15 +49,15 @@ const Normal<Object> m = t;
 #endif
 
 #ifdef EXPECT_ERROR_a_world_point_is_not_transformed_from_object
-const auto twice = worldFromObject(worldPoint);
+const auto twice = world_from_object(worldPoint);
 #endif
 
 #ifdef EXPECT_ERROR_a_world_normal_is_not_transformed_naively_from_object
-const auto wrong = transform_normal_naively(worldFromObject, worldNormal);
+const auto wrong = transform_normal_naively(world_from_object, worldNormal);
 #endif
 
 #ifdef EXPECT_ERROR_transforms_compose_only_where_spaces_meet
-const auto composite = worldFromObject * viewFromWorld;
+const auto composite = world_from_object * view_from_world;
 #endif
 
 #ifdef EXPECT_ERROR_a_normal_is_not_dotted_with_another_spaces_vector

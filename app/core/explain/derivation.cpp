@@ -137,9 +137,9 @@ std::string_view name(Step::State state) {
     return kNames.at(static_cast<std::size_t>(state));
 }
 
-Derivation derivation(const Transform<World, Object>& worldFromObject, int factors, const std::optional<Probe>& probe,
+Derivation derivation(const Transform<World, Object>& world_from_object, int factors, const std::optional<Probe>& probe,
                       std::size_t tangent) {
-    const NormalMatrices& matrices = worldFromObject.normal_matrices_by_rule();
+    const NormalMatrices& matrices = world_from_object.normal_matrices_by_rule();
     const Value m3 = value_of(matrices.naive, factors);
     std::optional<Value> n_obj;
     std::array<std::optional<Value>, 2> v_obj, v_world;
@@ -168,7 +168,7 @@ Derivation derivation(const Transform<World, Object>& worldFromObject, int facto
     result.steps = derive(parts);
     remark(result.steps, parts, result.n_world_by, probe.has_value());
     for (std::size_t r = 0; r < kRules.size(); ++r) result.checks[r] = check(kRules[r], normals[r], v_world, truth);
-    result.homogeneous = homogeneous(worldFromObject, factors, probe, tangent);
+    result.homogeneous = homogeneous(world_from_object, factors, probe, tangent);
     return result;
 }
 

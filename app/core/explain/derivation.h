@@ -59,7 +59,7 @@ struct Derivation {
 };
 
 /// `factors`: how many matrices M was multiplied from. `tangent`: which of the probe's two tangents v_obj is.
-Derivation derivation(const Transform<World, Object>& worldFromObject, int factors, const std::optional<Probe>& probe,
+Derivation derivation(const Transform<World, Object>& world_from_object, int factors, const std::optional<Probe>& probe,
                       std::size_t tangent = 0);
 
 }  // namespace normalscope

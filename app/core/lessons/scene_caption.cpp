@@ -27,8 +27,8 @@ std::string about(const NormalMatrices& m) {
 }  // namespace
 
 SceneSaid said_of(const Scene& scene) {
-    const Transform<World, Object> worldFromObject = world_from_object(scene);
-    const NormalMatrices& m = worldFromObject.normal_matrices_by_rule();
+    const Transform<World, Object> transform = world_from_object(scene);
+    const NormalMatrices& m = transform.normal_matrices_by_rule();
     SceneSaid said{scene.about.empty() ? about(m) : scene.about, {}};
     switch (scene.rule) {
         case Rule::Naive:

@@ -16,15 +16,15 @@ inline bool is_affine(const glm::dmat4& m) {
     return m[0].w == 0.0 && m[1].w == 0.0 && m[2].w == 0.0 && std::abs(m[3].w - 1.0) <= 1e-12;
 }
 
-/// An affine map named destination first: `Transform<World, Object> worldFromObject`. The kind of the argument decides
+/// An affine map named destination first: `Transform<World, Object> world_from_object`. The kind of the argument decides
 /// how it is transformed, so that a normal cannot go through M by accident.
 template <class To, class From>
 class Transform {
 public:
     Transform() = default;
     /// `rank_at_most` as in normal_matrices.
-    explicit Transform(const glm::dmat4& toFromFrom, int rank_at_most = 3)
-        : matrix_(toFromFrom), normals_(normal_matrices(glm::dmat3(toFromFrom), rank_at_most)) {}
+    explicit Transform(const glm::dmat4& to_from_from, int rank_at_most = 3)
+        : matrix_(to_from_from), normals_(normal_matrices(glm::dmat3(to_from_from), rank_at_most)) {}
 
     /// M p, with w = 1, divided by the resulting w where M is not affine.
     Point<To> operator()(Point<From> p) const {

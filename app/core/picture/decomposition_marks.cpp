@@ -36,10 +36,10 @@ void add_label(Pane& pane, const glm::dvec3& at, const char* text, const glm::ve
 }  // namespace
 
 void add_decomposition_marks(Pane& pane, const Scene& scene, const Mesh& mesh,
-                             const Transform<World, Object>& worldFromObject, const FrameOptions& options) {
-    const NormalMatrices& matrices = worldFromObject.normal_matrices_by_rule();
+                             const Transform<World, Object>& world_from_object, const FrameOptions& options) {
+    const NormalMatrices& matrices = world_from_object.normal_matrices_by_rule();
     const Decomposition parts = decomposition(matrices.naive, matrices.rank);
-    const glm::dvec3 origin = worldFromObject(Point<Object>{}).xyz;
+    const glm::dvec3 origin = world_from_object(Point<Object>{}).xyz;
     const double pixel = options.pixel_scale * pane.view.world_per_pixel({origin});
     const glm::vec4 ink(theme_colors(scene.theme).text, 1.0f);
     for (std::size_t i = 0; i < parts.axes.size(); ++i) {
@@ -57,10 +57,10 @@ void add_decomposition_marks(Pane& pane, const Scene& scene, const Mesh& mesh,
     if (!parts.worst || parts.worst->degrees < 1e-6 || mesh.normals.empty()) return;
     const std::size_t vertex = nearest_normal(mesh, *parts.worst);
     const Normal<Object> n{mesh.normals[vertex]};
-    const auto right = worldFromObject(n);
-    const Normal<World> naive = transform_normal_naively(worldFromObject, n);
+    const auto right = world_from_object(n);
+    const Normal<World> naive = transform_normal_naively(world_from_object, n);
     if (!right || !angle_degrees(naive.xyz, right->xyz)) return;
-    const glm::dvec3 base = worldFromObject(Point<Object>{mesh.positions[vertex]}).xyz;
+    const glm::dvec3 base = world_from_object(Point<Object>{mesh.positions[vertex]}).xyz;
     const glm::dvec3 u = glm::normalize(naive.xyz), v = glm::normalize(right->xyz);
     const double length = std::max(4.6 * scene.arrows.length, 70.0 * pixel),
                  radius = std::max(0.022 * length, 1.7 * pixel);

@@ -17,7 +17,7 @@ glm::dvec3 in_hundredths(const glm::dvec3& v) { return glm::round(100.0 * v) / 1
 
 }  // namespace
 
-std::vector<Knob> knobs(const Scene& scene, const Transform<World, Object>& worldFromObject, const CameraView& view) {
+std::vector<Knob> knobs(const Scene& scene, const Transform<World, Object>& world_from_object, const CameraView& view) {
     std::vector<Knob> result;
     if (scene.ray) {
         const auto [from, toward] = aim(*scene.ray, scene.camera, view);
@@ -37,8 +37,8 @@ std::vector<Knob> knobs(const Scene& scene, const Transform<World, Object>& worl
     at.xyz[(axis + 2) % 3] = 1.06 * edge;
     Vector<Object> along;
     along.xyz[axis] = 1.0;
-    if (const Vector<World> image = worldFromObject(along); glm::length(image.xyz) > 1e-6)
-        result.push_back({Knob::What::Slice, worldFromObject(at), image});
+    if (const Vector<World> image = world_from_object(along); glm::length(image.xyz) > 1e-6)
+        result.push_back({Knob::What::Slice, world_from_object(at), image});
     return result;
 }
 

@@ -18,7 +18,7 @@ struct Knob {
 };
 
 /// A slice has one where the surface is a formula's, and M does not collapse the axis.
-std::vector<Knob> knobs(const Scene& scene, const Transform<World, Object>& worldFromObject, const CameraView& view);
+std::vector<Knob> knobs(const Scene& scene, const Transform<World, Object>& world_from_object, const CameraView& view);
 
 /// The knob within `reach` pixels; the nearest to the eye of several.
 std::optional<Knob> knob_at(const std::vector<Knob>& knobs, const CameraView& view, glm::dvec2 pixel, double reach);

@@ -57,22 +57,22 @@ const Pane* pane_at(const Frame& frame, glm::dvec2 pixel) {
     return nullptr;
 }
 
-std::optional<Point<Object>> picked_point(const Frame& frame, const Transform<World, Object>& worldFromObject,
+std::optional<Point<Object>> picked_point(const Frame& frame, const Transform<World, Object>& world_from_object,
                                           glm::dvec2 pixel, double reach) {
     const Pane* pane = pane_at(frame, pixel);
     if (!pane) return std::nullopt;
     const glm::dvec2 at = pixel - glm::dvec2(pane->rect.origin);
     const ArrowHit arrow = nearest_arrow(frame, *pane, at, reach);
-    const auto surface = first_hit(*frame.surface, worldFromObject, pane->view.ray(at));
+    const auto surface = first_hit(*frame.surface, world_from_object, pane->view.ray(at));
     const double surface_depth =
-        surface ? pane->view.pixel(worldFromObject(surface->probe.point)).z : std::numeric_limits<double>::infinity();
+        surface ? pane->view.pixel(world_from_object(surface->probe.point)).z : std::numeric_limits<double>::infinity();
     if (arrow.depth <= surface_depth && arrow.depth < std::numeric_limits<double>::infinity()) return arrow.point;
     if (!surface) return std::nullopt;
     // Nobody hits a single point by hand: a singular one so near is meant.
     if (frame.surface->implicit)
         if (const auto singular = singular_near(*frame.surface->implicit, surface->probe.point,
                                                 0.2 * frame.surface->implicit->source().bound)) {
-            const glm::dvec3 there = pane->view.pixel(worldFromObject(*singular));
+            const glm::dvec3 there = pane->view.pixel(world_from_object(*singular));
             if (there.z > 0.0 && glm::distance(glm::dvec2(there), at) < 2.0 * reach) return singular;
         }
     return surface->probe.point;
@@ -96,17 +96,17 @@ std::optional<Highlight> highlight_at(const Frame& frame, glm::dvec2 pixel, doub
     return found;
 }
 
-WorldBall bounding_ball(const Mesh& mesh, const Transform<World, Object>& worldFromObject) {
+WorldBall bounding_ball(const Mesh& mesh, const Transform<World, Object>& world_from_object) {
     if (mesh.positions.empty()) return {};
     glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
     for (const glm::dvec3& p : mesh.positions) {
-        const glm::dvec3 world = worldFromObject(Point<Object>{p}).xyz;
+        const glm::dvec3 world = world_from_object(Point<Object>{p}).xyz;
         low = glm::min(low, world);
         high = glm::max(high, world);
     }
     WorldBall ball{{0.5 * (low + high)}, 0.0};
     for (const glm::dvec3& p : mesh.positions)
-        ball.radius = std::max(ball.radius, glm::length(worldFromObject(Point<Object>{p}).xyz - ball.centre.xyz));
+        ball.radius = std::max(ball.radius, glm::length(world_from_object(Point<Object>{p}).xyz - ball.centre.xyz));
     return ball;
 }
 

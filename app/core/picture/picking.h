@@ -11,7 +11,7 @@ const Pane* pane_at(const Frame& frame, glm::dvec2 pixel);
 
 /// The surface's point that a click means: the site of the arrow within `reach` pixels, or what the ray meets,
 /// whichever is nearer to the eye. `pixel` is of the framebuffer.
-std::optional<Point<Object>> picked_point(const Frame& frame, const Transform<World, Object>& worldFromObject,
+std::optional<Point<Object>> picked_point(const Frame& frame, const Transform<World, Object>& world_from_object,
                                           glm::dvec2 pixel, double reach);
 
 /// What the arrow of the probe within `reach` pixels is in the equations.
@@ -22,6 +22,6 @@ struct WorldBall {
     Point<World> centre;
     double radius = 0.0;
 };
-WorldBall bounding_ball(const Mesh& mesh, const Transform<World, Object>& worldFromObject);
+WorldBall bounding_ball(const Mesh& mesh, const Transform<World, Object>& world_from_object);
 
 }  // namespace normalscope

@@ -151,10 +151,10 @@ private:
 
 }  // namespace
 
-void add_ray_marks(Pane& pane, const Scene& scene, const RaySteps& ray, const Transform<World, Object>& worldFromObject,
-                   bool ghost, const FrameOptions& options) {
+void add_ray_marks(Pane& pane, const Scene& scene, const RaySteps& ray,
+                   const Transform<World, Object>& world_from_object, bool ghost, const FrameOptions& options) {
     Marks marks(pane, scene, ray, options);
-    if (ghost) marks.spaces(worldFromObject(Point<Object>{}));
+    if (ghost) marks.spaces(world_from_object(Point<Object>{}));
     marks.world();
     marks.object();
     marks.light();

@@ -31,16 +31,16 @@ std::vector<glm::dvec3> thinned(const std::vector<std::vector<glm::dvec3>>& curv
 }  // namespace
 
 void add_singular_marks(Pane& pane, const Scene& scene, const SingularPoint& singular,
-                        const Transform<World, Object>& worldFromObject, const FrameOptions& options) {
+                        const Transform<World, Object>& world_from_object, const FrameOptions& options) {
     if (!scene.show.probe) return;
-    const Point<World> at = worldFromObject(singular.at);
+    const Point<World> at = world_from_object(singular.at);
     const double pixel = options.pixel_scale * pane.view.world_per_pixel(at);
     const double length = 0.8 * std::max(4.6 * scene.arrows.length, 70.0 * pixel);
     const glm::vec3 ink = theme_colors(scene.theme).text, color = rule_color(pane.rule);
     LabelRoom room(pane, options.pixel_scale);
     std::optional<glm::dvec3> lent;  // the tip of the normal that is borrowed
 
-    if (const auto map = normal_map(scene, worldFromObject, pane.rule)) {
+    if (const auto map = normal_map(scene, world_from_object, pane.rule)) {
         std::vector<std::vector<glm::dvec3>> fan;
         for (const auto& curve : singular.fan) {
             fan.emplace_back();
@@ -59,7 +59,7 @@ void add_singular_marks(Pane& pane, const Scene& scene, const SingularPoint& sin
             room.keep_clear(at.xyz, at.xyz + length * n);
         }
         if (singular.lender) {
-            const Point<World> from = worldFromObject(singular.lender->point);
+            const Point<World> from = world_from_object(singular.lender->point);
             add_tube(pane.solids, std::array{at.xyz, from.xyz}, std::max(0.008, 1.2 * pixel), glm::vec4(ink, 1.0f));
             add_ball(pane.solids, from.xyz, 3.6 * pixel, glm::vec4(ink, 1.0f));
             if (const glm::dvec3 n = (*map)(singular.lender->normal).xyz; glm::length(n) > 0.0) {

@@ -7,6 +7,6 @@ namespace normalscope {
 
 /// "No normal here", the fan of the normals all around, and the neighbour that lends its own.
 void add_singular_marks(Pane& pane, const Scene& scene, const SingularPoint& singular,
-                        const Transform<World, Object>& worldFromObject, const FrameOptions& options);
+                        const Transform<World, Object>& world_from_object, const FrameOptions& options);
 
 }  // namespace normalscope

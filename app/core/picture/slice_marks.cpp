@@ -176,7 +176,7 @@ glm::vec3 band_color(int band, Theme theme) {
     return inside ? glm::mix(c.near_inside, c.far_inside, depth) : glm::mix(c.near_outside, c.far_outside, depth);
 }
 
-void add_slice(Pane& pane, const Scene& scene, const LevelSets& sets, const Transform<World, Object>& worldFromObject,
+void add_slice(Pane& pane, const Scene& scene, const LevelSets& sets, const Transform<World, Object>& world_from_object,
                bool ghost, const FrameOptions& options) {
     Marks marks(pane, scene, sets, options);
     const glm::vec3 grey = theme_colors(scene.theme).ghost;
@@ -185,10 +185,11 @@ void add_slice(Pane& pane, const Scene& scene, const LevelSets& sets, const Tran
         marks.lines(grey);
         if (std::ranges::count(kinds, ArrowKind::Object) > 0) marks.arrows({}, grey, 0.8);
     }
-    if (!marks.stand(worldFromObject)) return;
+    if (!marks.stand(world_from_object)) return;
     marks.bands();
     marks.lines(std::nullopt);
-    if (const auto map = normal_map(scene, worldFromObject, pane.rule)) marks.arrows(*map, rule_color(pane.rule), 1.0);
+    if (const auto map = normal_map(scene, world_from_object, pane.rule))
+        marks.arrows(*map, rule_color(pane.rule), 1.0);
     marks.words();
 }
 

@@ -11,7 +11,7 @@ glm::vec3 band_color(int band, Theme theme);
 
 /// The level sets as M carries them, with ∇f by the pane's rule, and the plane's knob. Where there is a `ghost`, its own
 /// level lines are drawn, too, in grey.
-void add_slice(Pane& pane, const Scene& scene, const LevelSets& sets, const Transform<World, Object>& worldFromObject,
+void add_slice(Pane& pane, const Scene& scene, const LevelSets& sets, const Transform<World, Object>& world_from_object,
                bool ghost, const FrameOptions& options);
 
 }  // namespace normalscope

@@ -65,11 +65,11 @@ std::optional<NormalMap> mistaken_map(const Scene& scene, const Transform<World,
 
 }  // namespace
 
-std::optional<NormalMap> normal_map(const Scene& scene, const Transform<World, Object>& worldFromObject, Rule rule) {
-    const NormalMatrices& matrices = worldFromObject.normal_matrices_by_rule();
+std::optional<NormalMap> normal_map(const Scene& scene, const Transform<World, Object>& world_from_object, Rule rule) {
+    const NormalMatrices& matrices = world_from_object.normal_matrices_by_rule();
     std::optional<NormalMap> map;
     if (rule == Rule::Naive)
-        map = mistaken_map(scene, worldFromObject);
+        map = mistaken_map(scene, world_from_object);
     else if (const auto n = matrices.by(rule); n && (rule != Rule::Cofactor || matrices.rank >= 2))
         map = NormalMap{.matrix = glm::dmat4(*n)};
     if (map && map->at_pixels && !scene.renormalise) {
@@ -79,8 +79,8 @@ std::optional<NormalMap> normal_map(const Scene& scene, const Transform<World, O
     return map;
 }
 
-glm::dmat3 tangent_matrix(const Scene& scene, const Transform<World, Object>& worldFromObject) {
-    const NormalMatrices& matrices = worldFromObject.normal_matrices_by_rule();
+glm::dmat3 tangent_matrix(const Scene& scene, const Transform<World, Object>& world_from_object) {
+    const NormalMatrices& matrices = world_from_object.normal_matrices_by_rule();
     if (scene.rule == Rule::Naive) {
         if (scene.mistake == Mistake::TangentsByInverseTranspose && matrices.inverse_transpose)
             return *matrices.inverse_transpose;

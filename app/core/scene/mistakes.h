@@ -11,10 +11,10 @@ namespace normalscope {
 
 /// The map that a rule stands for in this scene; empty where the rule gives no normal at all. For Rule::Naive it is
 /// the scene's mistake.
-std::optional<NormalMap> normal_map(const Scene& scene, const Transform<World, Object>& worldFromObject, Rule rule);
+std::optional<NormalMap> normal_map(const Scene& scene, const Transform<World, Object>& world_from_object, Rule rule);
 
 /// The 3×3 matrix that the scene sends tangents through: M3, unless its mistake is about tangents and is being shown.
-glm::dmat3 tangent_matrix(const Scene& scene, const Transform<World, Object>& worldFromObject);
+glm::dmat3 tangent_matrix(const Scene& scene, const Transform<World, Object>& world_from_object);
 
 /// A mistake's short title, what it looks like as a formula, and why it is one: for labels and for the panel.
 struct MistakeText {

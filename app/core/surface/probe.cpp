@@ -61,35 +61,35 @@ Probe probe_with(Point<Object> point, Normal<Object> normal) {
     return {point, {n}, {Vector<Object>{t0}, Vector<Object>{glm::cross(n, t0)}}};
 }
 
-ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& worldFromObject) {
-    return in_world(probe, worldFromObject, Scene{});
+ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& world_from_object) {
+    return in_world(probe, world_from_object, Scene{});
 }
 
-ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& worldFromObject, const Scene& scene) {
+ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& world_from_object, const Scene& scene) {
     ProbeInWorld result;
     result.object = probe;
-    result.point = worldFromObject(probe.point);
-    const glm::dmat3 tangents = tangent_matrix(scene, worldFromObject);
+    result.point = world_from_object(probe.point);
+    const glm::dmat3 tangents = tangent_matrix(scene, world_from_object);
     for (std::size_t k = 0; k < 2; ++k) result.tangents[k] = {tangents * probe.tangents[k].xyz};
     for (std::size_t r = 0; r < kRules.size() && probe.has_normal(); ++r) {
-        std::optional<Normal<World>> n = transform_normal(worldFromObject, probe.normal, kRules[r]);
+        std::optional<Normal<World>> n = transform_normal(world_from_object, probe.normal, kRules[r]);
         if (kRules[r] == Rule::Naive && scene.mistake != Mistake::Naive) {
-            const std::optional<NormalMap> map = normal_map(scene, worldFromObject, Rule::Naive);
+            const std::optional<NormalMap> map = normal_map(scene, world_from_object, Rule::Naive);
             n = map ? std::optional((*map)(probe.normal)) : std::nullopt;
         }
         result.normals[r] = n;
         if (n) result.dots[r] = std::array{dot(*n, result.tangents[0]), dot(*n, result.tangents[1])};
     }
-    if (const auto right = worldFromObject(probe.normal); right && result.normals[0])
+    if (const auto right = world_from_object(probe.normal); right && result.normals[0])
         result.error_degrees = angle_degrees(result.normals[0]->xyz, right->xyz);
     return result;
 }
 
-std::optional<SurfaceHit> first_hit(const Mesh& mesh, const Transform<World, Object>& worldFromObject,
+std::optional<SurfaceHit> first_hit(const Mesh& mesh, const Transform<World, Object>& world_from_object,
                                     const Ray<World>& ray) {
     // In world space, since M may have no inverse. Möller & Trumbore, "Fast, minimum storage ray/triangle intersection", 1997.
     std::vector<glm::dvec3> world(mesh.positions.size());
-    for (std::size_t i = 0; i < world.size(); ++i) world[i] = worldFromObject(Point<Object>{mesh.positions[i]}).xyz;
+    for (std::size_t i = 0; i < world.size(); ++i) world[i] = world_from_object(Point<Object>{mesh.positions[i]}).xyz;
 
     // The middle of the picture often looks at an edge or a corner; rounding must not let the ray slip between the
     // triangles there and find the object's far side.
@@ -143,14 +143,14 @@ std::optional<Probe> nearest_probe(const Mesh& mesh, Point<Object> p) {
     return probe_at(mesh, t, nearest_barycentric(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z], p.xyz));
 }
 
-std::optional<Probe> probe_in_view(const Mesh& mesh, const Transform<World, Object>& worldFromObject,
+std::optional<Probe> probe_in_view(const Mesh& mesh, const Transform<World, Object>& world_from_object,
                                    const CameraView& view, glm::dvec2 pixel) {
-    if (const auto hit = first_hit(mesh, worldFromObject, view.ray(pixel))) return hit->probe;
+    if (const auto hit = first_hit(mesh, world_from_object, view.ray(pixel))) return hit->probe;
 
     // The ray misses: nothing covers the pixel, so the nearest edge in the picture is one that the camera sees.
     std::vector<glm::dvec3> pixels(mesh.positions.size());
     for (std::size_t i = 0; i < pixels.size(); ++i)
-        pixels[i] = view.pixel(worldFromObject(Point<Object>{mesh.positions[i]}));
+        pixels[i] = view.pixel(world_from_object(Point<Object>{mesh.positions[i]}));
     double nearest = std::numeric_limits<double>::infinity(), nearest_depth = 0.0;
     const glm::uvec3* triangle = nullptr;
     glm::dvec3 barycentric(0.0);

@@ -41,9 +41,9 @@ struct ProbeInWorld {
     std::optional<double> error_degrees;  ///< between the naive and the true normal
 };
 
-ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& worldFromObject);
+ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& world_from_object);
 /// The same as the scene has it, with its mistake in the naive rule's place.
-ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& worldFromObject, const Scene& scene);
+ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& world_from_object, const Scene& scene);
 
 struct SurfaceHit {
     Probe probe;
@@ -51,7 +51,7 @@ struct SurfaceHit {
 };
 
 /// The first point of the surface that the ray meets, from either side.
-std::optional<SurfaceHit> first_hit(const Mesh& mesh, const Transform<World, Object>& worldFromObject,
+std::optional<SurfaceHit> first_hit(const Mesh& mesh, const Transform<World, Object>& world_from_object,
                                     const Ray<World>& ray);
 
 /// The index of the triangle that is nearest to `p`; empty only for a mesh without triangles.
@@ -62,7 +62,7 @@ std::optional<Probe> nearest_probe(const Mesh& mesh, Point<Object> p);
 
 /// The point of the surface that the camera sees nearest the given pixel: the hit of its ray or, if that misses, the
 /// nearest point of the silhouette. Empty where nothing lies before the camera.
-std::optional<Probe> probe_in_view(const Mesh& mesh, const Transform<World, Object>& worldFromObject,
+std::optional<Probe> probe_in_view(const Mesh& mesh, const Transform<World, Object>& world_from_object,
                                    const CameraView& view, glm::dvec2 pixel);
 
 }  // namespace normalscope

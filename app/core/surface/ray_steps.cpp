@@ -25,7 +25,7 @@ std::array<Point<World>, 2> aim(const AimedRay& ray, const Camera& camera, const
     return {ray.from.value_or(from), target};
 }
 
-RaySteps ray_steps(const Scene& scene, const Surface& surface, const Transform<World, Object>& worldFromObject,
+RaySteps ray_steps(const Scene& scene, const Surface& surface, const Transform<World, Object>& world_from_object,
                    const CameraView& view) {
     RaySteps s;
     const auto [from, target] = aim(scene.ray.value_or(AimedRay{}), scene.camera, view);
@@ -38,10 +38,10 @@ RaySteps ray_steps(const Scene& scene, const Surface& surface, const Transform<W
         return s;
     };
 
-    const bool affine = is_affine(worldFromObject.matrix());
-    const auto objectFromWorld = affine ? worldFromObject.inverse() : std::nullopt;
-    if (objectFromWorld) s.object = {(*objectFromWorld)(s.world.origin), (*objectFromWorld)(s.world.direction)};
-    const auto hit = first_hit(surface, worldFromObject, s.world);
+    const bool affine = is_affine(world_from_object.matrix());
+    const auto object_from_world = affine ? world_from_object.inverse() : std::nullopt;
+    if (object_from_world) s.object = {(*object_from_world)(s.world.origin), (*object_from_world)(s.world.direction)};
+    const auto hit = first_hit(surface, world_from_object, s.world);
     if (hit) {
         s.t = hit->t;
         s.point_world = s.world.origin + hit->t * s.world.direction;
@@ -61,10 +61,10 @@ RaySteps ray_steps(const Scene& scene, const Surface& surface, const Transform<W
     }
     if (!hit->probe.has_normal() || !std::isfinite(glm::length(gradient.xyz))) return ends(RaySteps::End::NoNormal, 3);
     s.gradient = gradient;
-    s.normal = worldFromObject(gradient);
+    s.normal = world_from_object(gradient);
     s.unit = Normal<World>{glm::normalize(s.normal->xyz)};
     s.brightness = dot(*s.unit, s.toward_light);
-    const glm::dvec3 naive = transform_normal_naively(worldFromObject, gradient).xyz;
+    const glm::dvec3 naive = transform_normal_naively(world_from_object, gradient).xyz;
     s.naive_brightness = glm::dot(glm::normalize(naive), s.toward_light.xyz);
     return s;
 }

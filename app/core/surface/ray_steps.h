@@ -46,7 +46,7 @@ struct RaySteps {
     int last_step = AimedRay::kLastStep;  ///< as far as it goes
 };
 
-RaySteps ray_steps(const Scene& scene, const Surface& surface, const Transform<World, Object>& worldFromObject,
+RaySteps ray_steps(const Scene& scene, const Surface& surface, const Transform<World, Object>& world_from_object,
                    const CameraView& view);
 
 /// Where the scene's ray starts and what it is aimed at, with what it leaves to the view.

@@ -71,12 +71,12 @@ Probe probe_on(const ImplicitSurface& surface, Point<Object> anywhere, const std
     return probe;
 }
 
-std::optional<SurfaceHit> first_hit(const Surface& surface, const Transform<World, Object>& worldFromObject,
+std::optional<SurfaceHit> first_hit(const Surface& surface, const Transform<World, Object>& world_from_object,
                                     const Ray<World>& ray) {
-    const auto objectFromWorld = surface.implicit ? worldFromObject.inverse() : std::nullopt;
-    if (!objectFromWorld) return first_hit(surface.mesh, worldFromObject, ray);
+    const auto object_from_world = surface.implicit ? world_from_object.inverse() : std::nullopt;
+    if (!object_from_world) return first_hit(surface.mesh, world_from_object, ray);
     // Point and direction go to object space unchanged in length: t is the same in both.
-    const Ray<Object> object_ray{(*objectFromWorld)(ray.origin), (*objectFromWorld)(ray.direction)};
+    const Ray<Object> object_ray{(*object_from_world)(ray.origin), (*object_from_world)(ray.direction)};
     const auto t = surface.implicit->first_hit(object_ray);
     if (!t) return std::nullopt;
     return SurfaceHit{probe_on(*surface.implicit, object_ray.origin + *t * object_ray.direction), *t};
@@ -86,12 +86,12 @@ std::optional<Probe> nearest_probe(const Surface& surface, Point<Object> p, cons
     return surface.implicit ? nearest_on(*surface.implicit, surface.mesh, p, borrow) : nearest_probe(surface.mesh, p);
 }
 
-std::optional<Probe> probe_in_view(const Surface& surface, const Transform<World, Object>& worldFromObject,
+std::optional<Probe> probe_in_view(const Surface& surface, const Transform<World, Object>& world_from_object,
                                    const CameraView& view, glm::dvec2 pixel, const std::optional<Borrow>& borrow) {
-    if (!surface.implicit) return probe_in_view(surface.mesh, worldFromObject, view, pixel);
-    if (const auto hit = first_hit(surface, worldFromObject, view.ray(pixel)))
+    if (!surface.implicit) return probe_in_view(surface.mesh, world_from_object, view, pixel);
+    if (const auto hit = first_hit(surface, world_from_object, view.ray(pixel)))
         return hit->probe.singular ? probe_on(*surface.implicit, hit->probe.point, borrow) : hit->probe;
-    const auto near = probe_in_view(surface.mesh, worldFromObject, view, pixel);
+    const auto near = probe_in_view(surface.mesh, world_from_object, view, pixel);
     return near ? nearest_on(*surface.implicit, surface.mesh, near->point, borrow) : std::nullopt;
 }
 

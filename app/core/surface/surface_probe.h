@@ -7,10 +7,10 @@ namespace normalscope {
 
 // What probe.h finds on a mesh, found on whatever the surface is: a formula's on f = 0 itself, with ∇f for its normal.
 
-std::optional<SurfaceHit> first_hit(const Surface& surface, const Transform<World, Object>& worldFromObject,
+std::optional<SurfaceHit> first_hit(const Surface& surface, const Transform<World, Object>& world_from_object,
                                     const Ray<World>& ray);
 std::optional<Probe> nearest_probe(const Surface& surface, Point<Object> p, const std::optional<Borrow>& borrow = {});
-std::optional<Probe> probe_in_view(const Surface& surface, const Transform<World, Object>& worldFromObject,
+std::optional<Probe> probe_in_view(const Surface& surface, const Transform<World, Object>& world_from_object,
                                    const CameraView& view, glm::dvec2 pixel, const std::optional<Borrow>& borrow = {});
 
 /// The probe at a point of f = 0. Where ∇f is zero or does not exist there is no normal, unless one is to be borrowed from

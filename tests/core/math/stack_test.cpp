@@ -16,7 +16,7 @@ constexpr int kStacks = 100'000;
 
 struct Case {
     std::vector<StackEntry> stack;
-    Transform<World, Object> worldFromObject;
+    Transform<World, Object> world_from_object;
     glm::dmat3 m3;
     /// Rounding errors in the cofactors, relative to the cofactors that matter least: at least the condition number.
     double amplification;
@@ -31,8 +31,8 @@ void for_random_stacks(std::uint64_t seed, Check&& check) {
         Scene scene;
         scene.stack = random.stack(6);
         Case c{scene.stack, world_from_object(scene), {}, 0.0};
-        c.m3 = glm::dmat3(c.worldFromObject.matrix());
-        const NormalMatrices& matrices = c.worldFromObject.normal_matrices_by_rule();
+        c.m3 = glm::dmat3(c.world_from_object.matrix());
+        const NormalMatrices& matrices = c.world_from_object.normal_matrices_by_rule();
         c.amplification = matrices.rank == 3 ? std::pow(norm(c.m3), 3.0) / std::abs(matrices.determinant) : INFINITY;
         for (const StackEntry& entry : c.stack)
             c.singular_entry = c.singular_entry || normal_matrices(glm::dmat3(matrix(entry))).rank < 3;
@@ -45,14 +45,14 @@ TEST(Stack, NormalsStayPerpendicularToTangents) {
     for_random_stacks(1, [&](const Case& c, Random& random) {
         const Normal<Object> n{random.direction()};
         const Vector<Object> t{glm::normalize(glm::cross(n.xyz, random.direction()))};
-        const Vector<World> tangent = c.worldFromObject(t);
+        const Vector<World> tangent = c.world_from_object(t);
 
         // The cofactor rule for every M whatsoever. Its entries are right to ε‖M‖², however small they are.
-        const Normal<World> cofactor = transform_normal_by_cofactor(c.worldFromObject, n);
+        const Normal<World> cofactor = transform_normal_by_cofactor(c.world_from_object, n);
         EXPECT_LE(std::abs(dot(cofactor, tangent)), 1e-14 * std::pow(norm(c.m3), 3.0));
-        cofactors_of_flattened += c.worldFromObject.normal_matrices_by_rule().rank == 2 ? 1 : 0;
+        cofactors_of_flattened += c.world_from_object.normal_matrices_by_rule().rank == 2 ? 1 : 0;
 
-        if (const std::optional<Normal<World>> normal = c.worldFromObject(n)) {
+        if (const std::optional<Normal<World>> normal = c.world_from_object(n)) {
             ++inverse_transposes;
             const double size = glm::length(normal->xyz) * glm::length(tangent.xyz);
             EXPECT_LE(std::abs(dot(*normal, tangent)), 1e-14 * c.amplification * std::max(size, 1.0));
@@ -68,7 +68,7 @@ TEST(Stack, NormalsStayPerpendicularToTangents) {
 TEST(Stack, SingularEntriesMakeItSingular) {
     int singular = 0;
     for_random_stacks(2, [&](const Case& c, Random&) {
-        const NormalMatrices& m = c.worldFromObject.normal_matrices_by_rule();
+        const NormalMatrices& m = c.world_from_object.normal_matrices_by_rule();
         EXPECT_EQ(m.rank == 3, m.inverse_transpose.has_value());
         EXPECT_EQ(m.rank == 3, m.determinant != 0.0);
         EXPECT_EQ(m.rank == 3, m.error_bound_degrees().has_value());
@@ -77,7 +77,7 @@ TEST(Stack, SingularEntriesMakeItSingular) {
         EXPECT_LT(m.rank, 3);
         EXPECT_EQ(m.sigma.z, 0.0);
         EXPECT_FALSE(composite_of_inverse_transposes(c.stack));
-        EXPECT_FALSE(c.worldFromObject.inverse());
+        EXPECT_FALSE(c.world_from_object.inverse());
     });
     EXPECT_GT(singular, kStacks / 50);
 }
@@ -86,7 +86,7 @@ TEST(Stack, CompositeOfInversesIsInverseOfComposite) {
     int compared = 0;
     for_random_stacks(3, [&](const Case& c, Random&) {
         const auto composite = composite_of_inverse_transposes(c.stack);
-        const auto& direct = c.worldFromObject.normal_matrices_by_rule().inverse_transpose;
+        const auto& direct = c.world_from_object.normal_matrices_by_rule().inverse_transpose;
         if (!composite || !direct) return;
         double error = 1e-14;  // each entry's inverse loses digits of its own
         for (const StackEntry& entry : c.stack) error *= 3.0 * *normal_matrices(glm::dmat3(matrix(entry))).condition();
@@ -100,7 +100,7 @@ TEST(Stack, CompositeOfInversesIsInverseOfComposite) {
 
 TEST(Stack, CofactorIsDeterminantTimesInverseTranspose) {
     for_random_stacks(4, [&](const Case& c, Random&) {
-        const NormalMatrices& m = c.worldFromObject.normal_matrices_by_rule();
+        const NormalMatrices& m = c.world_from_object.normal_matrices_by_rule();
         // cof(M)ᵀ M = det(M) I, for singular M too.
         const glm::dmat3 product = glm::transpose(m.cofactor) * c.m3;
         EXPECT_LE(norm(product - m.determinant * glm::dmat3(1.0)), 1e-14 * std::pow(norm(c.m3), 3.0));
@@ -114,7 +114,7 @@ TEST(Stack, NaiveErrorHasItsClosedForm) {
     int compared = 0;
     double largest_share = 0.0;
     for_random_stacks(5, [&](const Case& c, Random& random) {
-        const NormalMatrices& m = c.worldFromObject.normal_matrices_by_rule();
+        const NormalMatrices& m = c.world_from_object.normal_matrices_by_rule();
         if (!m.inverse_transpose || c.amplification > 1e6) return;
         ++compared;
         const double bound = *m.error_bound_degrees(), slack = 1e-11 * c.amplification;
@@ -123,7 +123,8 @@ TEST(Stack, NaiveErrorHasItsClosedForm) {
 
         // (M n)·((M⁻¹)ᵀ n) = n·n: the two are never 90° apart.
         const Normal<Object> n{random.uniform(0.1, 10.0) * random.direction()};
-        const double product = glm::dot(transform_normal_naively(c.worldFromObject, n).xyz, c.worldFromObject(n)->xyz);
+        const double product =
+            glm::dot(transform_normal_naively(c.world_from_object, n).xyz, c.world_from_object(n)->xyz);
         EXPECT_NEAR(product / glm::dot(n.xyz, n.xyz), 1.0, 1e-13 * c.amplification);
 
         const double error = *error_degrees(m, n);

@@ -35,13 +35,13 @@ TEST(Probe, FirstHitAgreesWithSlabs) {
     for (int i = 0; i < 3000; ++i) {
         Scene scene;
         scene.stack = random.stack(4);
-        const Transform<World, Object> worldFromObject = world_from_object(scene);
-        const auto objectFromWorld = worldFromObject.inverse();
-        if (!objectFromWorld || *worldFromObject.normal_matrices_by_rule().condition() > 1e4) continue;
+        const Transform<World, Object> m = world_from_object(scene);
+        const auto object_from_world = m.inverse();
+        if (!object_from_world || *m.normal_matrices_by_rule().condition() > 1e4) continue;
         const Point<Object> from{random.vector(4.0)}, toward{random.vector(1.5)};
-        const Ray<World> ray{worldFromObject(from), worldFromObject(toward - from)};
+        const Ray<World> ray{m(from), m(toward - from)};
         const auto expected = enters_cube(from.xyz, (toward - from).xyz);
-        const auto hit = first_hit(cube, worldFromObject, ray);
+        const auto hit = first_hit(cube, m, ray);
         ASSERT_EQ(hit.has_value(), expected.has_value()) << i;
         if (!hit) continue;
         ++hits;
@@ -93,17 +93,17 @@ TEST(Probe, AMissGivesTheSilhouette) {
         Scene scene;
         scene.stack = random.stack(3);
         scene.camera = {random.uniform(-180, 180), random.uniform(-80, 80), 0.05, {random.vector(2.0)}};
-        const Transform<World, Object> worldFromObject = world_from_object(scene);
+        const Transform<World, Object> m = world_from_object(scene);
         const CameraView view(scene.camera, {400, 300});
         const glm::dvec2 pixel(random.uniform(0, 400), random.uniform(0, 300));
-        if (first_hit(mesh, worldFromObject, view.ray(pixel))) continue;
-        const auto probe = probe_in_view(mesh, worldFromObject, view, pixel);
+        if (first_hit(mesh, m, view.ray(pixel))) continue;
+        const auto probe = probe_in_view(mesh, m, view, pixel);
         if (!probe) continue;  // wholly behind the eye
-        const glm::dvec3 at = view.pixel(worldFromObject(probe->point));
+        const glm::dvec3 at = view.pixel(m(probe->point));
         EXPECT_GT(at.z, 0.0);
         const double distance = glm::length(glm::dvec2(at) - pixel);
         for (const glm::dvec3& p : mesh.positions) {
-            const glm::dvec3 other = view.pixel(worldFromObject(Point<Object>{p}));
+            const glm::dvec3 other = view.pixel(m(Point<Object>{p}));
             if (other.z > 0.0) {
                 ASSERT_GE(glm::length(glm::dvec2(other) - pixel), distance - 1e-6);
             }
