@@ -9,7 +9,7 @@ namespace normalscope::formulas {
 /// What random formulas are made of.
 struct Grammar {
     bool functions = true;
-    bool piecewise = true;  ///< abs, min, max
+    bool piecewise = true;  ///< abs, min, max, and what jumps
     bool parameters = false;
     bool explicit_only = false;  ///< no implicit products, for readers that know none
 };
@@ -32,7 +32,7 @@ inline std::string random_formula(Random& random, const Grammar& g, int depth) {
         }
     };
     if (depth == 0 || random.chance(0.1)) return leaf();
-    switch (random.below(g.functions ? 13 : 8)) {
+    switch (random.below(g.functions ? 15 : 8)) {
         case 0:
         case 1: return "(" + inner() + " + " + inner() + ")";
         case 2: return "(" + inner() + " - " + inner() + ")";
@@ -47,7 +47,19 @@ inline std::string random_formula(Random& random, const Grammar& g, int depth) {
             constexpr std::array<const char*, 8> kNames{"exp", "log", "sin", "cos", "tan", "asin", "acos", "atan"};
             return kNames[static_cast<std::size_t>(random.below(8))] + ("(" + inner()) + ")";
         }
-        case 11: return g.piecewise ? "abs(" + inner() + ")" : "sin(" + inner() + ")";
+        case 11: {
+            constexpr std::array<const char*, 6> kNames{"ln", "log10", "log2", "cbrt", "hypot", "pow"};
+            const auto k = static_cast<std::size_t>(random.below(6));
+            return kNames[k] + ("(" + inner()) + (k == 4 ? ", y)" : k == 5 ? ", 2)" : ")");
+        }
+        case 12: {
+            if (!g.piecewise) return "atan2(" + inner() + ", " + inner() + ")";
+            constexpr std::array<const char*, 4> kNames{"sign", "floor", "ceil", "heaviside"};
+            if (const int k = random.below(6); k < 4)
+                return kNames[static_cast<std::size_t>(k)] + ("(" + inner()) + ")";
+            return (random.chance(0.5) ? "mod(" : "atan2(") + inner() + ", " + inner() + ")";
+        }
+        case 13: return g.piecewise ? "abs(" + inner() + ")" : "sin(" + inner() + ")";
         default:
             if (!g.piecewise) return "(" + inner() + ")^(-2)";
             return (random.chance(0.5) ? "min(" : "max(") + inner() + ", " + inner() + ")";

@@ -22,6 +22,8 @@ bool has_kinks(const formulas::Graph& graph) {
         switch (node.op) {
             case formulas::Op::Abs:
             case formulas::Op::Sign:
+            case formulas::Op::Floor:
+            case formulas::Op::Atan2:
             case formulas::Op::Min:
             case formulas::Op::Max:
             case formulas::Op::Where: return true;

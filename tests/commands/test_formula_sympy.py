@@ -15,9 +15,48 @@ except ImportError:
     sys.exit(77)
 
 COUNT = 300
-SYMBOLS = sympy.symbols("x y z")
+SYMBOLS = sympy.symbols("x y z", real=True)
+
+
+def real_part(value):
+    value = complex(value)
+    if abs(value.imag) > 1e-9 * max(1, abs(value.real)):
+        raise ValueError("of a complex number")
+    return value.real
+
+
+def step(name, function, slope=lambda u: sympy.Integer(0)):
+    """A function of one real argument that SymPy differentiates as we mean it: flat but for jumps, or a kink's sides."""
+
+    def evaluated(cls, u):
+        return function(u) if u.is_number and u.is_real and not u.has(sympy.nan, sympy.zoo) else None
+
+    return type(name, (sympy.Function,), {"nargs": 1, "eval": classmethod(evaluated),
+                                          "fdiff": lambda self, index=1: slope(self.args[0])})
+
+
+Sign = step("Sign", sympy.sign)
+Floor = step("Floor", sympy.floor)
+Abs = step("Absolute", sympy.Abs, lambda u: Sign(u))
+
+
+def least(a, b):
+    return (a + b - Abs(a - b)) / 2
+
+
+LOCALS = {
+    "sign": Sign, "floor": Floor, "abs": Abs, "ln": sympy.log, "atan2": sympy.atan2, "pow": sympy.Pow,
+    "log10": lambda u: sympy.log(u) / sympy.log(10), "log2": lambda u: sympy.log(u) / sympy.log(2),
+    "cbrt": lambda u: Sign(u) * Abs(u) ** sympy.Rational(1, 3), "hypot": lambda u, v: sympy.sqrt(u ** 2 + v ** 2),
+    "ceil": lambda u: -Floor(-u), "mod": lambda u, v: u - v * Floor(u / v), "heaviside": lambda u: (1 + Sign(u)) / 2,
+    "min": least, "max": lambda a, b: -least(-a, -b), **dict(zip("xyz", SYMBOLS)),
+}
 # As complex functions, so that what has no real value shows as a complex one and not as an exception.
 FUNCTIONS = {name: getattr(cmath, name) for name in "sqrt exp log sin cos tan asin acos atan".split()}
+FUNCTIONS |= {
+    "Sign": lambda u: (real_part(u) > 0) - (real_part(u) < 0), "Floor": lambda u: math.floor(real_part(u)),
+    "Absolute": lambda u: abs(real_part(u)), "atan2": lambda v, u: math.atan2(real_part(v), real_part(u)),
+}
 
 
 def real(function, at):
@@ -40,7 +79,7 @@ def main():
     formulas = json.loads(subprocess.run([tool, str(COUNT), "1"], check=True, capture_output=True, text=True).stdout)
     compared = failed = 0
     for formula in formulas:
-        f = sympy.sympify(formula["text"].replace("^", "**"), locals=dict(zip("xyz", SYMBOLS)), rational=True)
+        f = sympy.sympify(formula["text"].replace("^", "**"), locals=LOCALS, rational=True)
         exact = [f] + [sympy.diff(f, s) for s in SYMBOLS]
         functions = [sympy.lambdify(SYMBOLS, e, [FUNCTIONS, vars(cmath)]) for e in exact]
         for point in formula["points"]:

@@ -28,7 +28,7 @@ class FormulaTest(CommandTest):
 
     def test_what_is_no_formula(self):
         for formula, column in (("x^2+", 5), ("(x+y", 5), ("x+y)", 4), ("", 1), ("1/0", 2), ("log(-1)", 1), ("2 3", 3),
-                                ("foo(x)", 1), ("x=y=z", 4), ("x^2+y^2+(z", 11)):
+                                ("foo(x)", 1), ("x;y", 2), ("x=y=z", 4), ("x^2+y^2+(z", 11)):
             with self.subTest(formula):
                 says = f"surface.formula: column {column}: "
                 self.refused({"formula": formula}, says)
@@ -44,6 +44,13 @@ class FormulaTest(CommandTest):
     def test_a_formula_in_place_of_a_file(self):
         self.assert_fails(3, "explain", "x^2+y^2-1", says="--set 'surface.formula=x^2+y^2-1'")
         self.assert_fails(3, "explain", "no/such/file", says="slide-scale")
+
+    def test_functions_that_everyone_writes(self):
+        explained = self.explained(*setting("z = log10(x^2 + y^2);"), "--set", "surface.clip=box", "--set", "probe=[2,0,0.6]")
+        close_to(self, explained["gradient"]["normal"], [-0.39848, 0, 0.91718], 5)
+        for formula in ("foo(x)", "ab(x)", "1 + log3(x)", "sin2(x)", "floor2(x)"):
+            with self.subTest(formula):
+                self.refused({"formula": formula}, ("log10", "heaviside"))
 
     def test_keys(self):
         self.refused({"formula": "a x", "parameters": {"b": 1}}, ("surface.parameters.b", "it has a"))

@@ -88,13 +88,15 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
 
 #ifndef NORMALSCOPE_LIBFUZZER
 int main(int argc, char** argv) {
-    constexpr std::array<std::string_view, 67> kParts{
-        "x",     "y",         "z",      "a",     "e",      "pi",   "1",     "2",    "3",   "0",    "0.5",    "1e9",
-        "1e300", "7/3",       "+",      "-",     "*",      "/",    "^",     "(",    ")",   "(",    ")",      "|",
-        "=",     ",",         " ",      "sin",   "cos(",   "sqrt", "log(",  "exp(", "²",   "⁻¹",   "√",      "tan ",
-        "π",     "·",         "min(x,", "abs(",  "max(",   "^(",   "1/3)",  "^2",   "^-1", "−",    "where(", "asin(",
-        ".",     "9",         "..",     "\xff",  "\x01",   "atan", "acos(", "^",    "x^2", "+y^2", "+z^2",   "-1",
-        "sign(", "f(x,y,z)=", "cosh",   "tanh(", "asinh ", "[",    "}"};
+    constexpr std::array<std::string_view, 78> kParts{
+        "x",      "y",         "z",     "a",      "e",      "pi",   "1",      "2",      "3",      "0",
+        "0.5",    "1e9",       "1e300", "7/3",    "+",      "-",    "*",      "/",      "^",      "(",
+        ")",      "(",         ")",     "|",      "=",      ",",    " ",      "sin",    "cos(",   "sqrt",
+        "log(",   "exp(",      "²",     "⁻¹",     "√",      "tan ", "π",      "·",      "min(x,", "abs(",
+        "max(",   "^(",        "1/3)",  "^2",     "^-1",    "−",    "where(", "asin(",  ".",      "9",
+        "..",     "\xff",      "\x01",  "atan",   "acos(",  "^",    "x^2",    "+y^2",   "+z^2",   "-1",
+        "sign(",  "f(x,y,z)=", "cosh",  "tanh(",  "asinh ", "[",    "}",      "floor(", "atan2(", "mod(x,",
+        "log10(", "log2",      "ceil",  "hypot(", "pow(",   "==",   ";",      "cbrt("};
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(argc > 1 ? std::atoi(argv[1]) : 2);
     int i = 0;
     std::mt19937_64 random(argc > 2 ? static_cast<std::uint64_t>(std::atoll(argv[2])) : 1);

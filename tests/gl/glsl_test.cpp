@@ -109,7 +109,8 @@ TEST(Glsl, KnownFormulasAgreeWithTheProcessor) {
     for (const char* text :
          {"x^2+y^2+z^2-1", "(x^2+9/4y^2+z^2-1)^3-x^2z^3-9/80y^2z^3", "sin(3x)cos(3y)+sin(3y)cos(3z)+sin(3z)cos(3x)",
           "|x|^0.5+|y|^0.5+|z|^0.5-1", "x^y-z", "x^(1/3)+y^(2/3)+z", "log(x^2+1)+atan(y)-asin(z/3)", "1/x+1/(y-z)",
-          "min(x, max(y, z))-0.3", "exp(-x^2)-y z", "x^17+y^-2-z^9", "tan(x)+acos(y/2)", "abs(x-y)-sqrt(z+2)"})
+          "min(x, max(y, z))-0.3", "exp(-x^2)-y z", "x^17+y^-2-z^9", "tan(x)+acos(y/2)", "abs(x-y)-sqrt(z+2)",
+          "floor(3x)+mod(y, z^2+1)-heaviside(z)", "atan2(y, x)-z", "cbrt(x)+log10(y^2+1)+hypot(x, z)"})
         expect_agreement(text, random);
 }
 

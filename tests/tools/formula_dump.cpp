@@ -62,7 +62,7 @@ int main(int argc, char** argv) try {
     normalscope::Random random(argc > 2 ? static_cast<std::uint64_t>(std::atoll(argv[2])) : 1);
     Json formulas = Json::array();
     while (static_cast<int>(formulas.size()) < count) {
-        const std::string text = random_formula(random, {.piecewise = false, .explicit_only = true}, 3);
+        const std::string text = random_formula(random, {.explicit_only = true}, 3);
         if (const auto formula = try_dump(text, random)) formulas.push_back(*formula);
     }
     std::cout << formulas.dump(1) << "\n";

@@ -49,6 +49,7 @@ private:
             case Op::Power: return power(args[0], args[1]);
             case Op::Min: return emit({.code = Code::Min, .a = steps_[args[0]], .b = steps_[args[1]]});
             case Op::Max: return emit({.code = Code::Max, .a = steps_[args[0]], .b = steps_[args[1]]});
+            case Op::Atan2: return emit({.code = Code::Atan2, .a = steps_[args[0]], .b = steps_[args[1]]});
             case Op::Where:
                 return emit({.code = Code::Where, .a = steps_[args[0]], .b = steps_[args[1]], .c = steps_[args[2]]});
             default: return emit({.code = function(node.op), .a = steps_[args[0]]});
@@ -57,7 +58,7 @@ private:
 
     static Code function(Op op) {
         constexpr auto offset = static_cast<int>(Code::Log) - static_cast<int>(Op::Log);
-        static_assert(static_cast<int>(Op::Sign) + offset == static_cast<int>(Code::Sign));
+        static_assert(static_cast<int>(Op::Floor) + offset == static_cast<int>(Code::Floor));
         return static_cast<Code>(static_cast<int>(op) + offset);
     }
 

@@ -21,7 +21,7 @@ Id outer_derivative(Graph& g, Op function, Id node, Id u) {
         case Op::Acos: return g.negate(root_of_one_minus_square());
         case Op::Atan: return g.power(g.add({one, g.power(u, g.number(2))}), g.number(-1));
         case Op::Abs: return g.apply(Op::Sign, {u});
-        default: return node == u ? one : g.number(0);  // sign: flat wherever it has a derivative
+        default: return node == u ? one : g.number(0);  // sign and floor: flat wherever they have a derivative
     }
 }
 
@@ -66,6 +66,12 @@ Id derivative(Graph& g, Id root, int variable) {
             case Op::Power: d[id] = power_derivative(g, id, args[0], args[1], d[args[0]], d[args[1]]); break;
             case Op::Min: d[id] = g.apply(Op::Where, {d[args[0]], g.subtract(args[0], args[1]), d[args[1]]}); break;
             case Op::Max: d[id] = g.apply(Op::Where, {d[args[0]], g.subtract(args[1], args[0]), d[args[1]]}); break;
+            case Op::Atan2: {
+                const Id turn = g.subtract(g.multiply({args[1], d[args[0]]}), g.multiply({args[0], d[args[1]]}));
+                const Id square = g.add({g.power(args[0], g.number(2)), g.power(args[1], g.number(2))});
+                if (turn != zero) d[id] = g.divide(turn, square);
+                break;
+            }
             case Op::Where: d[id] = g.apply(Op::Where, {d[args[0]], args[1], d[args[2]]}); break;
             default:
                 if (d[args[0]] != zero) d[id] = g.multiply({outer_derivative(g, op, id, args[0]), d[args[0]]});

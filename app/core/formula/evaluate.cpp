@@ -48,11 +48,15 @@ Lanes acos(const Lanes& a) { return NORMALSCOPE_EACH(std::acos(a.v[k])); }
 Lanes atan(const Lanes& a) { return NORMALSCOPE_EACH(std::atan(a.v[k])); }
 Lanes abs(const Lanes& a) { return NORMALSCOPE_EACH(std::abs(a.v[k])); }
 Lanes sign(const Lanes& a) { return NORMALSCOPE_EACH(real::sign(a.v[k])); }
+Lanes floor(const Lanes& a) { return NORMALSCOPE_EACH(std::floor(a.v[k])); }
+Lanes atan2(const Lanes& a, const Lanes& b) { return NORMALSCOPE_EACH(real::atan2(a.v[k], b.v[k])); }
 Lanes min(const Lanes& a, const Lanes& b) { return NORMALSCOPE_EACH(real::min(a.v[k], b.v[k])); }
 Lanes max(const Lanes& a, const Lanes& b) { return NORMALSCOPE_EACH(real::max(a.v[k], b.v[k])); }
 Lanes where(const Lanes& a, const Lanes& c, const Lanes& b) {
     return NORMALSCOPE_EACH(real::where(a.v[k], c.v[k], b.v[k]));
 }
+Lanes slope_of_abs(const Lanes& a) { return sign(a); }
+Lanes slope_where(const Lanes& a, const Lanes& c, const Lanes& b) { return where(a, c, b); }
 #undef NORMALSCOPE_EACH
 
 // The points from `begin`; the last one again where they end.

@@ -24,6 +24,7 @@ constexpr std::array kHelpers{
            "    float s = min(pow(max(abs(b), 1e-30), e), 1e30);\n"
            "    return b < 0.0 && mod(e, 2.0) == 1.0 ? -s : s;\n"
            "}\n"},
+    Helper{"angle_of", "float angle_of(float y, float x) { return x == 0.0 && y == 0.0 ? 0.0 : atan(y, x); }\n"},
     Helper{"safe_exp", "float safe_exp(float v) { return exp(min(v, 69.0)); }\n"},
 };
 
@@ -128,8 +129,10 @@ private:
             case Code::Atan: return call("atan");
             case Code::Abs: return call("abs");
             case Code::Sign: return call("sign");
+            case Code::Floor: return call("floor");
             case Code::Min: return temporary("min(" + a + ", " + b + ")");
             case Code::Max: return temporary("max(" + a + ", " + b + ")");
+            case Code::Atan2: return temporary("angle_of(" + a + ", " + b + ")");
             case Code::Where: return temporary(b + " <= 0.0 ? " + a + " : " + names_[i.c]);
         }
         return {};
@@ -152,6 +155,7 @@ private:
                 return "(" + a + " > 0.0 || (" + a + " == 0.0 ? " + b + " > 0.0 : " + b + " == floor(" + b + ")))";
             case Code::Sqrt: return a + " >= 0.0";
             case Code::Log: return a + " > 0.0";
+            case Code::Atan2: return "(" + a + " != 0.0 || " + b + " != 0.0)";
             case Code::Asin:
             case Code::Acos: return "abs(" + a + ") <= 1.0";
             default: return {};
@@ -237,6 +241,12 @@ private:
                 const std::string first = a + (i.code == Code::Min ? " <= " : " >= ") + b;
                 contribute(i.a, choose(first, true));
                 contribute(i.b, choose(first, false));
+                break;
+            }
+            case Code::Atan2: {
+                const std::string part = temporary(w + " / max(" + a + " * " + a + " + " + b + " * " + b + ", 1e-30)");
+                contribute(i.a, part + " * " + b);
+                contribute(i.b, minus(part + " * " + a));
                 break;
             }
             case Code::Where:

@@ -120,8 +120,10 @@ double Graph::constant_value(Op op, std::span<const Id> args) const {
         case Op::Atan: return std::atan(value(0));
         case Op::Abs: return std::abs(value(0));
         case Op::Sign: return real::sign(value(0));
+        case Op::Floor: return std::floor(value(0));
         case Op::Min: return std::min(value(0), value(1));
         case Op::Max: return std::max(value(0), value(1));
+        case Op::Atan2: return real::atan2(value(0), value(1));
         case Op::Where: return value(1) <= 0.0 ? value(0) : value(2);
         default: return nodes_[args[0]].value;
     }
@@ -183,8 +185,10 @@ std::string_view function_name(Op op) {
         case Op::Atan: return "atan";
         case Op::Abs: return "abs";
         case Op::Sign: return "sign";
+        case Op::Floor: return "floor";
         case Op::Min: return "min";
         case Op::Max: return "max";
+        case Op::Atan2: return "atan2";
         case Op::Where: return "where";
         default: return {};
     }

@@ -33,8 +33,10 @@ enum class Op : std::uint8_t {
     Atan,
     Abs,
     Sign,
+    Floor,
     Min,
     Max,
+    Atan2,  // (y, x)
     Where,  // (a, c, b): a where c ≤ 0, else b; the derivative of min and max
 };
 
@@ -129,7 +131,7 @@ private:
 Id copy(Graph& to, const Graph& from, Id root);
 
 /// ∂/∂x, ∂/∂y or ∂/∂z, exactly. abs(u) gives sign(u) u′; min and max the derivative of the branch that is selected,
-/// of the first where both are equal; sign and what depends on no variable give 0.
+/// of the first where both are equal; sign, floor and what depends on no variable give 0.
 Id derivative(Graph& graph, Id root, int variable);
 
 /// Which nodes root is made of, itself included.

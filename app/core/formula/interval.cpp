@@ -159,7 +159,32 @@ Interval abs(const Interval& a) {
     if (a.high <= 0.0) return -a;
     return {0.0, std::max(-a.low, a.high), a.defined};
 }
+Interval atan2(const Interval& y, const Interval& x) {
+    if (y.defined == Defined::Nowhere || x.defined == Defined::Nowhere) return nowhere();
+    constexpr double kHalfTurn = std::numbers::pi;
+    const Defined defined = least(y, x);
+    // It jumps across the negative x axis.
+    if (y.low <= 0.0 && y.high >= 0.0 && x.low <= 0.0)
+        return outward(-kHalfTurn, kHalfTurn, std::min(defined, Defined::Somewhere), kLibrary);
+    double low = kInfinity, high = -kInfinity;
+    for (const double v : {y.low, y.high})
+        for (const double u : {x.low, x.high}) {
+            low = std::min(low, std::atan2(v, u));
+            high = std::max(high, std::atan2(v, u));
+        }
+    return outward(low, high, defined, kLibrary);
+}
+
 Interval sign(const Interval& a) {
+    const Interval sides = slope_of_abs(a);
+    return {sides.low, sides.high, sides.low < sides.high ? std::min(a.defined, Defined::Somewhere) : a.defined};
+}
+Interval floor(const Interval& a) {
+    if (a.defined == Defined::Nowhere) return nowhere();
+    const double low = std::floor(a.low), high = std::floor(a.high);
+    return {low, high, low < high ? std::min(a.defined, Defined::Somewhere) : a.defined};
+}
+Interval slope_of_abs(const Interval& a) {
     return {a.low > 0.0 ? 1.0 : a.low < 0.0 ? -1.0 : 0.0, a.high > 0.0 ? 1.0 : a.high < 0.0 ? -1.0 : 0.0, a.defined};
 }
 Interval min(const Interval& a, const Interval& b) {
@@ -169,10 +194,16 @@ Interval max(const Interval& a, const Interval& b) {
     return {std::max(a.low, b.low), std::max(a.high, b.high), least(a, b)};
 }
 
-Interval where(const Interval& a, const Interval& c, const Interval& b) {
+Interval slope_where(const Interval& a, const Interval& c, const Interval& b) {
     if (c.defined == Defined::Nowhere) return nowhere();
     Interval result = c.high <= 0.0 ? a : c.low > 0.0 ? b : hull(a, b);
     result.defined = least(result, c);
+    return result;
+}
+
+Interval where(const Interval& a, const Interval& c, const Interval& b) {
+    Interval result = slope_where(a, c, b);
+    if (c.low <= 0.0 && c.high > 0.0) result.defined = std::min(result.defined, Defined::Somewhere);
     return result;
 }
 

@@ -72,9 +72,16 @@ Interval asin(const Interval& a);
 Interval acos(const Interval& a);
 Interval atan(const Interval& a);
 Interval abs(const Interval& a);
+Interval atan2(const Interval& y, const Interval& x);
 Interval sign(const Interval& a);
+Interval floor(const Interval& a);
 Interval min(const Interval& a, const Interval& b);
 Interval max(const Interval& a, const Interval& b);
 Interval where(const Interval& a, const Interval& c, const Interval& b);  ///< a where c ≤ 0, else b
+
+/// Sign and where as derivatives of |a|, min and max. As functions they jump, which counts as a place without a value; a
+/// derivative that jumps is a kink, at which any slope between is as good.
+Interval slope_of_abs(const Interval& a);
+Interval slope_where(const Interval& a, const Interval& c, const Interval& b);
 
 }  // namespace normalscope::formulas

@@ -18,28 +18,11 @@ struct Name {
 Token leaf(Op op, std::size_t index = 0) {
     return {.type = TokenType::Leaf, .op = op, .index = static_cast<int>(index)};
 }
-Token function(Op op) { return {.type = TokenType::Function, .op = op}; }
-Token function(Function f) { return {.type = TokenType::Function, .function = f}; }
+Token call(const Function& f) { return {.type = TokenType::Function, .function = &f}; }
 
 std::vector<Name> make_names() {
-    std::vector<Name> names{{"sqrt", function(Function::Sqrt)},
-                            {"exp", function(Function::Exp)},
-                            {"ln", function(Op::Log)},
-                            {"sinh", function(Function::Sinh)},
-                            {"cosh", function(Function::Cosh)},
-                            {"tanh", function(Function::Tanh)},
-                            {"asinh", function(Function::Asinh)},
-                            {"acosh", function(Function::Acosh)},
-                            {"atanh", function(Function::Atanh)},
-                            {"cot", function(Function::Cot)},
-                            {"sec", function(Function::Sec)},
-                            {"csc", function(Function::Csc)},
-                            {"arcsin", function(Op::Asin)},
-                            {"arccos", function(Op::Acos)},
-                            {"arctan", function(Op::Atan)}};
-    for (const Op op : {Op::Log, Op::Sin, Op::Cos, Op::Tan, Op::Asin, Op::Acos, Op::Atan, Op::Abs, Op::Min, Op::Max,
-                        Op::Sign, Op::Where})
-        names.push_back({function_name(op), function(op)});
+    std::vector<Name> names;
+    for (const Function& f : functions()) names.push_back({f.name, call(f)});
     names.push_back({"pi", leaf(Op::Pi)});
     names.push_back({"e", leaf(Op::Euler)});
     for (std::size_t i = 0; i < kVariableNames.size(); ++i)
@@ -50,6 +33,7 @@ std::vector<Name> make_names() {
 }
 
 bool is_letter(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_'; }
+bool is_open(char c) { return c == '(' || c == '[' || c == '{'; }
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
 // Levenshtein's distance: letters to change, insert or leave out.
@@ -83,13 +67,13 @@ struct Symbol {
     TokenType type;
 };
 constexpr std::array kSymbols{
-    Symbol{"**", TokenType::Power}, Symbol{"+", TokenType::Plus},  Symbol{"-", TokenType::Minus},
-    Symbol{"−", TokenType::Minus},  Symbol{"*", TokenType::Times}, Symbol{"·", TokenType::Times},
-    Symbol{"×", TokenType::Times},  Symbol{"⋅", TokenType::Times}, Symbol{"/", TokenType::Divide},
-    Symbol{"÷", TokenType::Divide}, Symbol{"^", TokenType::Power}, Symbol{"(", TokenType::Open},
-    Symbol{"[", TokenType::Open},   Symbol{"{", TokenType::Open},  Symbol{"]", TokenType::Close},
-    Symbol{"}", TokenType::Close},  Symbol{")", TokenType::Close}, Symbol{"|", TokenType::Bar},
-    Symbol{",", TokenType::Comma},  Symbol{"=", TokenType::Equals}};
+    Symbol{"**", TokenType::Power}, Symbol{"+", TokenType::Plus},    Symbol{"-", TokenType::Minus},
+    Symbol{"−", TokenType::Minus},  Symbol{"*", TokenType::Times},   Symbol{"·", TokenType::Times},
+    Symbol{"×", TokenType::Times},  Symbol{"⋅", TokenType::Times},   Symbol{"/", TokenType::Divide},
+    Symbol{"÷", TokenType::Divide}, Symbol{"^", TokenType::Power},   Symbol{"(", TokenType::Open},
+    Symbol{"[", TokenType::Open},   Symbol{"{", TokenType::Open},    Symbol{"]", TokenType::Close},
+    Symbol{"}", TokenType::Close},  Symbol{")", TokenType::Close},   Symbol{"|", TokenType::Bar},
+    Symbol{",", TokenType::Comma},  Symbol{"==", TokenType::Equals}, Symbol{"=", TokenType::Equals}};
 constexpr std::array<std::string_view, 10> kSuperscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 
 class Lexer {
@@ -101,7 +85,7 @@ public:
             while (!rest_.empty() && (rest_[0] == ' ' || rest_[0] == '\t' || rest_[0] == '\n' || rest_[0] == '\r'))
                 skip(1);
             if (column_ > kMostCharacters + 1) too_long();
-            if (rest_.empty()) break;
+            if (rest_.find_first_not_of("; \t\n\r") == std::string_view::npos) break;  // x^2 = y;
             next();
         }
         push({}, 0);
@@ -131,7 +115,7 @@ private:
         for (const Symbol& s : kSymbols)
             if (rest_.starts_with(s.text)) return push({.type = s.type}, s.text.size());
         if (rest_.starts_with("π")) return push(leaf(Op::Pi), std::string_view("π").size());
-        if (rest_.starts_with("√")) return push(function(Function::Sqrt), std::string_view("√").size());
+        if (rest_.starts_with("√")) return push(call(functions().front()), std::string_view("√").size());
         if (superscript()) return;
         const std::size_t length = length_of(rest_);
         if (length == 0) throw SyntaxError(column_, "this is not UTF-8 text; type the formula anew");
@@ -183,21 +167,43 @@ private:
         return true;
     }
 
+    // Letters in a row, split into the longest names. log10 and its like end in digits, and take all that follow.
     void letters() {
         std::size_t n = 0;
         while (n < rest_.size() && is_letter(rest_[n])) ++n;
-        const std::string_view word = rest_.substr(0, n);
+        std::size_t end = n;
+        while (end < rest_.size() && (is_digit(rest_[end]) || rest_[end] == '.')) ++end;
+        const std::string_view word = rest_.substr(0, n), text = rest_.substr(0, end);
         std::vector<const Name*> parts;
-        for (std::size_t i = 0; i < n;) {
+        std::size_t at = 0;
+        while (at < n) {
             const Name* longest = nullptr;
-            for (const Name& name : names_)
-                if (word.substr(i).starts_with(name.text) && (!longest || name.text.size() > longest->text.size()))
+            for (const Name& name : names_) {
+                const bool fits = !is_digit(name.text.back()) || at + name.text.size() == end;
+                if (fits && text.substr(at).starts_with(name.text) &&
+                    (!longest || name.text.size() > longest->text.size()))
                     longest = &name;
+            }
             if (!longest) unknown(word);
             parts.push_back(longest);
-            i += longest->text.size();
+            at += longest->text.size();
         }
+        if (at < rest_.size() && is_open(rest_[at])) check_call(word, parts);
         for (const Name* part : parts) push(part->token, part->text.size());
+    }
+
+    // xy(z + 1) is a product, and x sin(y) as well; ab(x) may be meant as a function of that name.
+    void check_call(std::string_view word, const std::vector<const Name*>& parts) const {
+        for (std::size_t i = 0; i < parts.size() && parts.size() > 1; ++i) {
+            const Token& t = parts[i]->token;
+            const bool last_call = i + 1 == parts.size() && t.type == TokenType::Function;
+            if (!last_call && !(t.type == TokenType::Leaf && t.op == Op::Variable)) unknown_function(word);
+        }
+    }
+
+    [[noreturn]] void unknown_function(std::string_view word) const {
+        throw SyntaxError(column_, "unknown function \"" + std::string(word.substr(0, 40)) +
+                                       "\"; for a product write * before the bracket. Known are: " + known_functions());
     }
 
     [[noreturn]] void unknown(std::string_view word) const {

@@ -2,6 +2,7 @@
 
 // The characters of a formula as tokens; for the parser only.
 
+#include "core/formula/functions.h"
 #include "core/formula/graph.h"
 #include "core/formula/syntax_error.h"
 
@@ -29,17 +30,14 @@ enum class TokenType {
     End
 };
 
-/// What is written like a function. But for those of an Op they stand for what they are made of: sqrt and exp are powers.
-enum class Function { Sqrt, Exp, Sinh, Cosh, Tanh, Asinh, Acosh, Atanh, Cot, Sec, Csc, Of };
-
 struct Token {
     TokenType type = TokenType::End;
     std::size_t column = 1;
     std::string text;  // as it was written
     Number number;     // of Number and Superscript
-    Op op = Op::Pi;    // of Leaf and Function
+    Op op = Op::Pi;    // of Leaf
     int index = 0;     // of Leaf
-    Function function = Function::Of;
+    const Function* function = nullptr;
 };
 
 /// The tokens, the last of which is End. Throws SyntaxError.

@@ -112,18 +112,11 @@ private:
             call.binding = 0;
             return open(std::move(call));
         }
-        if (arity(call.function).first > 1)
+        if (call.function.function->fewest > 1)
             throw SyntaxError(token().column,
                               "expected \"(\" after " + call.function.text + ", found " + quoted(token()));
         pending_.push_back(std::move(call));
         --at_;  // the argument comes next
-    }
-
-    static std::pair<std::size_t, std::size_t> arity(const Token& f) {  // the fewest and the most arguments
-        if (f.function != Function::Of) return {1, 1};
-        if (f.op == Op::Min || f.op == Op::Max) return {2, kMostCharacters};
-        return f.op == Op::Where ? std::pair<std::size_t, std::size_t>{3, 3}
-                                 : std::pair<std::size_t, std::size_t>{1, 1};
     }
 
     void operator_token() {
@@ -160,11 +153,22 @@ private:
     }
 
     void multiply_implicitly() {
+        refuse_sin2_of_x();
         reduce(kTightProduct);
         const bool letters = token().type == TokenType::Number || token().type == TokenType::Leaf;
         const bool tight = letters && !pending_.empty() && pending_.back().kind == Kind::BareFunction;
         push_operator(Kind::Multiply, tight ? kTightProduct : kProduct);
         --at_;  // the second factor comes next
+    }
+
+    // sin2(x) is no product of sin 2 and x to anyone who writes it.
+    void refuse_sin2_of_x() const {
+        if (token().type != TokenType::Open || at_ < 2) return;
+        const Token &name = tokens_[at_ - 2], &digits = tokens_[at_ - 1];
+        if (name.type != TokenType::Function || name.text == "√" || digits.type != TokenType::Number) return;
+        const std::string f = name.text, n = digits.text.substr(0, 40);
+        throw SyntaxError(name.column, "\"" + f + n + "(\" is no function; write " + f + "(" + n + "*(…)), " + f + "(" +
+                                           n + ")*(…) or " + f + "(…)^" + n + ". Known are: " + known_functions());
     }
 
     const Pending* innermost() const {
@@ -182,7 +186,7 @@ private:
         if (group.function.type != TokenType::Function) return;
         std::vector<Id> args;
         for (std::size_t i = group.first_operand; i < operands_.size(); ++i) args.push_back(closed(operands_[i]));
-        const auto [fewest, most] = arity(group.function);
+        const auto fewest = group.function.function->fewest, most = group.function.function->most;
         if (args.size() < fewest)
             throw SyntaxError(token().column, "expected \",\": " + group.function.text + " has " +
                                                   std::to_string(fewest) + " arguments" +
@@ -205,10 +209,10 @@ private:
             throw SyntaxError(token().column, std::string("expected an operator") +
                                                   (pending_.empty() ? "" : " or a closing bracket") + ", found \",\"");
         const Pending& group = pending_.back();
-        if (operands_.size() - group.first_operand >= arity(group.function).second)
+        const std::size_t most = group.function.function->most;
+        if (operands_.size() - group.first_operand >= most)
             throw SyntaxError(token().column, "expected \")\": " + group.function.text + " has " +
-                                                  std::to_string(arity(group.function).second) +
-                                                  (arity(group.function).second == 1 ? " argument" : " arguments"));
+                                                  std::to_string(most) + (most == 1 ? " argument" : " arguments"));
         wants_operand_ = true;
     }
 
@@ -284,50 +288,8 @@ private:
         operand = {Operand::Open::No, {result}, operand.column};
     }
 
-    Id exp(Id u) { return g_.power(g_.euler(), u); }
-
-    // By exponentials and logarithms, which have derivatives and bounds already.
-    Id hyperbolic(Function f, Id u) {
-        const Id one = g_.number(1), half = g_.number(Number::ratio(1, 2));
-        switch (f) {
-            case Function::Sinh: return g_.multiply({half, g_.subtract(exp(u), exp(g_.negate(u)))});
-            case Function::Cosh: return g_.multiply({half, g_.add({exp(u), exp(g_.negate(u))})});
-            // 1 − 2/(e^(2u) + 1): where e^(2u) overflows it is still 1.
-            case Function::Tanh: {
-                const Id sum = g_.add({exp(g_.multiply({g_.number(2), u})), one});
-                return g_.subtract(one, g_.divide(g_.number(2), sum));
-            }
-            case Function::Atanh:
-                return g_.multiply({half, g_.apply(Op::Log, {g_.divide(g_.add({one, u}), g_.subtract(one, u))})});
-            default: {
-                const Id square = g_.power(u, g_.number(2));
-                const Id root = g_.sqrt(f == Function::Asinh ? g_.add({square, one}) : g_.subtract(square, one));
-                return g_.apply(Op::Log, {g_.add({u, root})});
-            }
-        }
-    }
-
     Id called(const Pending& call, const std::vector<Id>& args) {
-        Id result = args[0];
-        switch (call.function.function) {
-            case Function::Sqrt: result = g_.sqrt(result); break;
-            case Function::Exp: result = exp(result); break;
-            case Function::Sinh:
-            case Function::Cosh:
-            case Function::Tanh:
-            case Function::Asinh:
-            case Function::Acosh:
-            case Function::Atanh: result = hyperbolic(call.function.function, result); break;
-            case Function::Cot: result = g_.divide(g_.number(1), g_.apply(Op::Tan, {result})); break;
-            case Function::Sec: result = g_.divide(g_.number(1), g_.apply(Op::Cos, {result})); break;
-            case Function::Csc: result = g_.divide(g_.number(1), g_.apply(Op::Sin, {result})); break;
-            case Function::Of:
-                if (args.size() <= 1 || call.function.op == Op::Where)
-                    result = g_.apply(call.function.op, args);
-                else
-                    for (std::size_t i = 1; i < args.size(); ++i)
-                        result = g_.apply(call.function.op, {result, args[i]});
-        }
+        Id result = call.function.function->apply(g_, args);
         result = g_.power(result, g_.number(call.function_power));
         if (g_.is_undefined(result)) throw SyntaxError(call.column, call.function.text + " has no real value here");
         return result;

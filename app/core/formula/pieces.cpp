@@ -204,6 +204,7 @@ private:
 
     void row(const std::string& number, const std::vector<Id>& factors, bool inverted, bool free, Items& out) const {
         Kind last = Kind::Open;  // nothing yet
+        std::string letters;     // the names that stand together, up to here
         if (!number.empty()) {
             put(out, Kind::Number, number);
             last = Kind::Number;
@@ -232,12 +233,21 @@ private:
                     between = Kind::Times;
                 else if (last != Kind::Number && !bracket && !(last == Kind::Name && letters_first(base, root)))
                     between = Kind::Space;
+                else if (bracket && letters.size() > 1 && letters.find_first_not_of(kVariableNames) != letters.npos)
+                    between = Kind::Space;  // ab(x + 1) would be a function
             }
             if (between) out.insert(out.begin() + static_cast<std::ptrdiff_t>(begin), Item{Piece{*between}});
             last = name ? Kind::Name : Kind::Close;
+            if (!name || between) letters.clear();
+            if (name) letters += letter(base);
         }
     }
 
+    char letter(Id leaf) const {
+        const Node& node = g_[leaf];
+        if (node.op == Op::Variable) return kVariableNames[node.index];
+        return node.op == Op::Parameter ? kParameterNames[node.index] : 'e';
+    }
     // Single letters may follow each other.
     bool letters_first(Id base, bool root) const {
         const Op op = g_[base].op;

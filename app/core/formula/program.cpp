@@ -15,7 +15,8 @@ int operands(Code code) {
         case Code::Divide:
         case Code::Power:
         case Code::Min:
-        case Code::Max: return 2;
+        case Code::Max:
+        case Code::Atan2: return 2;
         case Code::Where: return 3;
         default: return 1;
     }

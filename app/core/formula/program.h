@@ -31,8 +31,10 @@ enum class Code : std::uint8_t {
     Atan,
     Abs,
     Sign,
+    Floor,
     Min,
     Max,
+    Atan2,  // the angle of (b, a)
     Where,  // a where b ≤ 0, else c
 };
 

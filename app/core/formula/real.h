@@ -26,6 +26,9 @@ inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 inline double sign(double v) { return v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : v; }
 
+/// The angle of (x, y), from −π to π: the origin has none.
+inline double atan2(double y, double x) { return x == 0.0 && y == 0.0 ? kNaN : std::atan2(y, x); }
+
 /// By squaring: for exponents as formulas have them it is faster than std::pow.
 inline double integer_power(double base, double exponent) {
     if (exponent < 0.0 && base == 0.0) return kNaN;

@@ -243,6 +243,9 @@ Id Graph::folded(Op function, std::span<const Id> given) {
             const double v = nodes_[a].value;
             return number(v > 0.0 ? 1 : v < 0.0 ? -1 : 0);
         }
+        case Op::Floor:
+            if (nodes_[a].constant) return number(Number::from_double(std::floor(nodes_[a].value)));
+            return op == Op::Floor ? a : kNone;
         case Op::Min:
         case Op::Max: {
             const Id b = given[1];

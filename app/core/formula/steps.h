@@ -21,10 +21,14 @@ inline double asin(double v) { return std::asin(v); }
 inline double acos(double v) { return std::acos(v); }
 inline double atan(double v) { return std::atan(v); }
 inline double abs(double v) { return std::abs(v); }
+inline double floor(double v) { return std::floor(v); }
 inline double sqrt(double v) { return std::sqrt(v); }
 inline double min(double a, double b) { return a <= b || std::isnan(a) ? a : b; }
 inline double max(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
 inline double where(double a, double c, double b) { return std::isnan(c) ? c : c <= 0.0 ? a : b; }
+// At a kink the derivative is either side's, or any between: intervals tell that from a jump.
+inline double slope_of_abs(double v) { return sign(v); }
+inline double slope_where(double a, double c, double b) { return where(a, c, b); }
 }  // namespace real
 
 inline Interval sqrt(const Interval& a) { return power(a, 0.5, Parity::None); }
@@ -53,8 +57,10 @@ T result(const Instruction& i, const T& a, const T& b, const T& c) {
         case Code::Atan: return atan(a);
         case Code::Abs: return abs(a);
         case Code::Sign: return sign(a);
+        case Code::Floor: return floor(a);
         case Code::Min: return min(a, b);
         case Code::Max: return max(a, b);
+        case Code::Atan2: return atan2(a, b);
         case Code::Where: return where(a, b, c);
         default: return T(i.constant);
     }
@@ -124,18 +130,24 @@ std::array<T, 3> reverse(const Program& program, std::span<const T> values, std:
             case Code::Asin: d[i.a] += w / sqrt(one - power(a, 2.0, Parity::Even)); break;
             case Code::Acos: d[i.a] += -(w / sqrt(one - power(a, 2.0, Parity::Even))); break;
             case Code::Atan: d[i.a] += w / (one + power(a, 2.0, Parity::Even)); break;
-            case Code::Abs: d[i.a] += w * sign(a); break;
+            case Code::Abs: d[i.a] += w * slope_of_abs(a); break;
             case Code::Min:
-                if (left) d[i.a] += where(w, a - b, zero);
-                if (right) d[i.b] += where(zero, a - b, w);
+                if (left) d[i.a] += slope_where(w, a - b, zero);
+                if (right) d[i.b] += slope_where(zero, a - b, w);
                 break;
             case Code::Max:
-                if (left) d[i.a] += where(w, b - a, zero);
-                if (right) d[i.b] += where(zero, b - a, w);
+                if (left) d[i.a] += slope_where(w, b - a, zero);
+                if (right) d[i.b] += slope_where(zero, b - a, w);
                 break;
+            case Code::Atan2: {
+                const T part = w / (power(a, 2.0, Parity::Even) + power(b, 2.0, Parity::Even));
+                if (left) d[i.a] += part * b;
+                if (right) d[i.b] += -(part * a);
+                break;
+            }
             case Code::Where:
-                if (left) d[i.a] += where(w, b, zero);
-                if (program[i.c].varies) d[i.c] += where(zero, b, w);
+                if (left) d[i.a] += slope_where(w, b, zero);
+                if (program[i.c].varies) d[i.c] += slope_where(zero, b, w);
                 break;
             default: break;
         }

@@ -123,7 +123,9 @@ void field(Scene& scene, FormulaSurface& surface, FormulaMemory& memory, const P
         tip(look,
             "f(x, y, z) = 0, where f < 0 is the inside.\n+ − * / ^, brackets, 2x, x^2 or x², lhs = rhs, pi, e, sqrt "
             "exp log "
-            "sin cos tan asin acos atan sinh cosh tanh abs min max; the letters a b c d f g h are parameters.");
+            "ln log10 sin cos tan asin acos atan atan2 sinh cosh tanh abs sign floor mod min max …; the letters a b c "
+            "d f g h are "
+            "parameters.");
     if (changed) {
         const FormulaSurface before = surface;
         draft.typed(surface);

@@ -86,14 +86,17 @@ TEST(Formula, DerivativesAgreeWithEachOtherAndWithDifferences) {
                     return (value(value_program, p + step) - value(value_program, p - step)) / (2 * h);
                 };
                 const double coarse = difference(1e-4), fine = difference(5e-5);
-                if (std::isnan(coarse) || !close(coarse, fine, 1e-6)) continue;
+                const bool grainy = std::abs(s.value) > 1e6;  // the difference is but rounding
+                const auto whole = value(value_program, Box{p - 1e-4, p + 1e-4}).defined;
+                if (std::isnan(coarse) || !close(coarse, fine, 1e-6) || grainy) continue;
+                if (whole != Interval::Defined::Everywhere) continue;  // jumps
                 ++with_differences;
                 EXPECT_TRUE(close(s.gradient[i], fine, 1e-4)) << s.gradient[i] << " and " << fine;
             }
         }
     });
     EXPECT_GT(compared, 5000);
-    EXPECT_GT(with_differences, compared / 2);
+    EXPECT_GT(with_differences, compared / 3);
 }
 
 TEST(Formula, ManyPointsAtOnceAreTheSame) {
