@@ -23,7 +23,8 @@ install(FILES ${option_docs}/_normalscope DESTINATION share/zsh/vendor-completio
 install(FILES ${option_docs}/normalscope.fish DESTINATION share/fish/vendor_completions.d)
 install(FILES cmake/NormalscopeConfig.cmake "${PROJECT_BINARY_DIR}/NormalscopeConfigVersion.cmake"
   DESTINATION lib/cmake/Normalscope)
-install(FILES README.md DESTINATION share/doc/normalscope)
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE DESTINATION share/doc/normalscope)
+install(DIRECTORY docs DESTINATION share/doc/normalscope)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR Normalscope)

@@ -2,8 +2,8 @@
 """Holds app/ against the table of rooms in docs/architecture.md, and exits with 1 where they differ.
 
 Each folder of app/ is a room, and a row of the table names the rooms and the libraries that its files may include.
-Beyond that, CMakeLists.txt must link each room to just these rooms, and no files may include each other in a circle
-(a .cpp and its .h count as one).
+Beyond that, CMakeLists.txt must link each room to just these rooms, no files may include each other in a circle (a .cpp
+and its .h count as one), and a test stands in the folder of tests/ that has its room's name.
 """
 
 import pathlib
@@ -12,6 +12,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 APP = ROOT / "app"
+TESTS = ROOT / "tests"
 TABLE = ROOT / "docs" / "architecture.md"
 
 # What may not be included everywhere, by the word that the table has for it.
@@ -99,6 +100,12 @@ def include_faults(rooms, files):
                 yield f"{where}:{number}: must not include {header}: {room} may include {', '.join(sorted(allowed))}"
 
 
+def test_faults(rooms):
+    for file in sorted(TESTS.rglob("*_test.cpp")):
+        if (room := str(file.parent.relative_to(TESTS))) not in rooms:
+            yield f"{file.relative_to(ROOT)}: tests are laid out as app/ is, and {TABLE.name} has no room {room}"
+
+
 def circles(files):
     """The strongly connected parts of more than one unit, by Tarjan's algorithm."""
     graph = {}
@@ -130,7 +137,7 @@ def circles(files):
 def main():
     rooms = table()
     files = sorted(file for file in APP.rglob("*") if file.suffix in {".h", ".cpp"})
-    faults = [*table_faults(rooms), *include_faults(rooms, files)]
+    faults = [*table_faults(rooms), *include_faults(rooms, files), *test_faults(rooms)]
     faults += [f"a circle of includes: {', '.join(map(str, part))}" for part in circles(files)]
     print("\n".join(faults) or f"{len(files)} files in {len(rooms)} rooms")
     return bool(faults)

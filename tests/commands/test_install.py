@@ -9,6 +9,7 @@ import subprocess
 import unittest
 
 from support import NORMALSCOPE, SMALL, CommandTest, run
+from test_docs import broken_links, pages
 
 BUILD = pathlib.Path(NORMALSCOPE).resolve().parent
 
@@ -30,6 +31,12 @@ class InstallTest(CommandTest):
         environment = {name: os.environ[name] for name in ("GALLIUM_DRIVER", "LP_NATIVE_VECTOR_WIDTH", "LSAN_OPTIONS") if name in os.environ}
         subprocess.run([self.prefix / "bin/normalscope", "capture", "-o", out, *SMALL], env=environment, check=True)
         self.assertEqual(out.read_bytes(), self.capture())
+
+    def test_the_pages_find_one_another(self):
+        doc = self.prefix / "share/doc/normalscope"
+        self.assertIn("scenes.md", [page.name for page in pages(doc)])
+        self.assertEqual(list(broken_links(doc)), [])
+        self.assertTrue((doc / "LICENSE").exists())
 
     def test_manual_and_completion_know_every_option(self):
         share = self.prefix / "share"
