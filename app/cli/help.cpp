@@ -51,7 +51,7 @@ std::string option_name(const CLI::Option& option) {
 }
 
 std::string option_text(const CLI::Option& option) {
-    const std::string text = option.get_description();
+    const std::string& text = option.get_description();
     return option.get_default_str().empty() ? text : text + " [" + option.get_default_str() + "]";
 }
 

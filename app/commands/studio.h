@@ -1,11 +1,11 @@
 #pragma once
 
+#include "core/base/context_choice.h"
 #include "core/image/ground.h"
 #include "core/image/image.h"
 #include "core/lessons/lesson.h"
 #include "core/scene/scene.h"
 #include "core/surface/surface.h"
-#include "platform/context.h"
 
 #include <memory>
 #include <optional>
