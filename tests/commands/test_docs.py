@@ -223,6 +223,11 @@ class CompleteTest(CommandTest):
         for key in ("rule", "mistake", "view", "color", "theme", "surface.shape", "arrows.at"):
             self.assert_told(self.known(*setting, f"{key}=nope"), "scenes.md")
 
+    def test_functions(self):
+        message = run("capture", "-o", os.devnull, "--set", "surface.formula=nope(x)").stderr.decode()
+        message = run("capture", "-o", os.devnull, "--set", "surface.formula=nope(x)").stderr.decode()
+        self.assert_told(re.findall(r"\w+", message.rsplit(": ", 1)[1]), "formulas.md")
+
     def test_tabs(self):
         tabs = self.known("capture", "-o", os.devnull, "--tab", "nope")
         for page in ("commands.md", "lessons.md"):

@@ -91,7 +91,7 @@ std::string point_text(const glm::dvec3& p, double bound) {
 void look_around(const ImplicitSurface& surface, Zeros& zeros) {
     const double bound = surface.source().bound;
     for (const glm::dvec3& p : zeros.places)
-        for (double away = 1e-2; away > 1e-9; away *= 0.1)
+        for (const double away : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8})
             for (int k = 0; k < 8; ++k) {
                 const glm::dvec3 side(k & 1 ? 1.0 : -0.9, k & 2 ? 0.8 : -1.0, k & 4 ? 0.9 : -0.8);
                 const double f = surface.at({p + away * bound * side}).value;

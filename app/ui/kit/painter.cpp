@@ -42,10 +42,16 @@ private:
     glm::ivec2 size_;
 };
 
+// For what is never negative; std::lround would be a call for every pixel.
+std::uint8_t rounded(float channel) {
+    constexpr float kHalf = 0.5f;
+    return static_cast<std::uint8_t>(channel + kHalf);
+}
+
 void blend(std::uint8_t* pixel, const glm::vec4& color, float coverage) {
     const float alpha = color.a / 255.0f * coverage;
-    for (int i = 0; i < 3; ++i) pixel[i] = static_cast<std::uint8_t>(glm::mix(float(pixel[i]), color[i], alpha) + 0.5f);
-    pixel[3] = static_cast<std::uint8_t>(255.0f * alpha + float(pixel[3]) * (1.0f - alpha) + 0.5f);
+    for (int i = 0; i < 3; ++i) pixel[i] = rounded(glm::mix(float(pixel[i]), color[i], alpha));
+    pixel[3] = rounded(255.0f * alpha + float(pixel[3]) * (1.0f - alpha));
 }
 
 /// How far a place is to the left of the line between two corners, times their distance; grows by a constant a pixel.

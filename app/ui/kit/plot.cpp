@@ -21,8 +21,10 @@ void stroke(const Look& look, ImDrawList& list, ImVec2 from, ImVec2 to, Plot::Li
     if (line == Plot::Line::Solid || length <= 0.0f) return list.AddLine(from, to, packed(ink), weight);
     const float on = line == Plot::Line::Dashed ? look.px(7) : look.px(2),
                 off = look.px(line == Plot::Line::Dashed ? 4 : 3);
-    for (float s = 0.0f; s < length; s += on + off) {
-        const float a = s / length, b = std::min(s + on, length) / length;
+    const int dashes = static_cast<int>(std::ceil(length / (on + off)));
+    for (int i = 0; i < dashes; ++i) {
+        const float begin = static_cast<float>(i) * (on + off), end = std::min(begin + on, length);
+        const float a = begin / length, b = end / length;
         list.AddLine({from.x + a * (to.x - from.x), from.y + a * (to.y - from.y)},
                      {from.x + b * (to.x - from.x), from.y + b * (to.y - from.y)}, packed(ink), weight);
     }

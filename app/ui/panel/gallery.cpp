@@ -92,7 +92,7 @@ void gallery(Scene& scene, GalleryMemory& memory, const PanelContext& context) {
         if (ImGui::IsItemHovered()) hovered = i;
         if (ImGui::IsItemFocused()) focused = i;
         if (pressed) {
-            memory.place = GalleryMemory::Place{at, memory.only_surface ? "" : entry.name};
+            memory.place = GalleryPlace{at, memory.only_surface ? "" : entry.name};
         }
         if (pressed && memory.only_surface) take_surface(scene, entry.name, context);
         if (pressed && !memory.only_surface) context.requests.open = entry.name;

@@ -11,6 +11,14 @@
 
 namespace normalscope {
 
+/// Where the gallery is to stand in the panel, below the upper edge, until the scene that was chosen is there: what is
+/// above it changes with the scene, and the tiles should not move from under the pointer.
+struct GalleryPlace {
+    float at = 0.0f;
+    std::string awaited;  ///< may be empty
+    int frames = 3;       ///< until the panel has settled, then
+};
+
 /// Surfaces by formula to choose from, each with its picture and the fact that it teaches.
 struct GalleryMemory {
     Previews previews;
@@ -20,14 +28,7 @@ struct GalleryMemory {
     bool only_surface = false;  ///< a choice changes the surface and nothing else
 
     void toggle();
-    /// Where it is to stand in the panel, below the upper edge, until the scene that was chosen is there: what is above it
-    /// changes with the scene, and the tiles should not move from under the pointer.
-    struct Place {
-        float at = 0.0f;
-        std::string awaited;  ///< may be empty
-        int frames = 3;       ///< until the panel has settled, then
-    };
-    std::optional<Place> place;
+    std::optional<GalleryPlace> place;
 };
 
 void gallery(Scene& scene, GalleryMemory& memory, const PanelContext& context);

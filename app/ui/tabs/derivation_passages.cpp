@@ -21,8 +21,8 @@ std::vector<AlignedEquation> fitted(const Look& look, std::size_t count, const M
         if (!make_all())
             for (std::size_t i = 0; i < count; ++i)
                 // Rounding to whole pixels may leave it a little too wide at first.
-                for (float shrink = 1.0f; width_of(style, equations[i]) > width && shrink > 0.3f; shrink -= 0.04f)
-                    equations[i] = make(math_style(look, true, shrink), i);
+                for (int percent = 100; width_of(style, equations[i]) > width && percent > 30; percent -= 4)
+                    equations[i] = make(math_style(look, true, 0.01f * static_cast<float>(percent)), i);
     }
     return aligned(style, equations, width);
 }

@@ -54,11 +54,12 @@ protected:
     }
     // Where in the panel that symbol is found, from the top.
     std::optional<ImVec2> find(const Highlight& wanted) {
-        for (float y = 80; y < 720; y += 4)
-            for (float x = 860; x < 1260; x += 4) {
-                ImGui::GetIO().AddMousePosEvent(x, y);
+        for (int y = 80; y < 720; y += 4)
+            for (int x = 860; x < 1260; x += 4) {
+                const ImVec2 at(static_cast<float>(x), static_cast<float>(y));
+                ImGui::GetIO().AddMousePosEvent(at.x, at.y);
                 step();
-                if (interface_.highlighted() == wanted) return ImVec2(x, y);
+                if (interface_.highlighted() == wanted) return at;
             }
         return std::nullopt;
     }
