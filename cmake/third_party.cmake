@@ -37,12 +37,10 @@ target_compile_definitions(imgui PUBLIC
   IMGUI_DISABLE_DEMO_WINDOWS
   IMGUI_USE_WCHAR32)
 
-# The backends apart, so that app/ui, which draws to no particular window, cannot reach GL or GLFW through ImGui.
-add_library(imgui_backends STATIC
-  "${imgui}/backends/imgui_impl_glfw.cpp"
-  "${imgui}/backends/imgui_impl_opengl3.cpp")
+# The backend apart, so that app/ui, which draws to no particular window, cannot reach GL through ImGui.
+add_library(imgui_backends STATIC "${imgui}/backends/imgui_impl_opengl3.cpp")
 target_include_directories(imgui_backends SYSTEM PUBLIC "${imgui}/backends")
-target_link_libraries(imgui_backends PUBLIC imgui glad glfw)
+target_link_libraries(imgui_backends PUBLIC imgui glad)
 
 # With its own loader ImGui takes GL from libGL and fails in OSMesa; LOADER_CUSTOM means "the includer brought one".
 set_source_files_properties("${imgui}/backends/imgui_impl_opengl3.cpp" PROPERTIES

@@ -62,9 +62,9 @@ Settings load_settings() {
         if (const auto size = pair(json, "window_size"); size && size->x >= 480 && size->y >= 320)
             settings.place.size = *size;
         settings.place.position = pair(json, "window_position");
-        settings.scale.interface = factor(json, "interface_scale");
-        settings.scale.presenter = factor(json, "presenter_scale");
-        settings.lessons = steps(json);
+        settings.remembered.scale.interface = factor(json, "interface_scale");
+        settings.remembered.scale.presenter = factor(json, "presenter_scale");
+        settings.remembered.lessons = steps(json);
         if (const auto monitor = json.find("monitor"); monitor != json.end() && monitor->is_string())
             settings.monitor = monitor->get<std::string>();
     } catch (const std::exception&) {
@@ -81,10 +81,10 @@ void save_settings(const Settings& settings) {
     Json json;
     json["window_size"] = {settings.place.size.x, settings.place.size.y};
     if (settings.place.position) json["window_position"] = {settings.place.position->x, settings.place.position->y};
-    json["interface_scale"] = settings.scale.interface;
-    json["presenter_scale"] = settings.scale.presenter;
+    json["interface_scale"] = settings.remembered.scale.interface;
+    json["presenter_scale"] = settings.remembered.scale.presenter;
     if (!settings.monitor.empty()) json["monitor"] = settings.monitor;
-    for (const auto& [lesson, step] : settings.lessons) json["lessons"][lesson] = step;
+    for (const auto& [lesson, step] : settings.remembered.lessons) json["lessons"][lesson] = step;
     try {
         write_file(*file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     } catch (const Error&) {

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "core/picture/display_scale.h"
 #include "platform/window.h"
+#include "viewer/remembered.h"
 
-#include <map>
 #include <string>
 
 namespace normalscope {
@@ -11,9 +10,8 @@ namespace normalscope {
 /// What is remembered from one session to the next, in $XDG_CONFIG_HOME/normalscope/settings.json.
 struct Settings {
     WindowPlace place;
-    DisplayScale scale;
-    std::string monitor;                         ///< chosen for presenting; empty: the one that the window is on
-    std::map<std::string, std::size_t> lessons;  ///< the step at which each was left
+    std::string monitor;  ///< chosen for presenting; empty: the one that the window is on
+    Remembered remembered;
 };
 
 /// A missing or damaged file gives the defaults: nobody's work depends on it.

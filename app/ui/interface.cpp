@@ -6,7 +6,6 @@
 #include "ui/kit/messages.h"
 #include "ui/kit/picture_labels.h"
 #include "ui/kit/side_panel.h"
-#include "ui/lecture/lecture.h"
 #include "ui/panel/panel.h"
 #include "ui/panel/panel_memory.h"
 #include "ui/tabs/derivation_panel.h"
@@ -253,6 +252,7 @@ void Interface::highlight(const std::optional<Highlight>& in_picture) { state_->
 
 void Interface::show_error(std::string_view line) { state_->messages.show_error(line); }
 void Interface::show_note(std::string_view line) { state_->messages.show_note(line); }
+std::string_view Interface::message() const { return state_->messages.text(); }
 double Interface::redraw_after() const { return std::min(state_->wake, state_->messages.redraw_after()); }
 
 bool Interface::show_tab(std::string_view id) {
@@ -266,6 +266,9 @@ std::span<const std::string_view> Interface::tabs() { return kTabIds; }
 bool Interface::typing_formula() const { return state_->panel.formula.typing(); }
 bool Interface::playing() const { return state_->stack.player.playing || state_->lecture.moving(); }
 
+Lecture& Interface::lecture() { return state_->lecture; }
+const Lecture& Interface::lecture() const { return state_->lecture; }
+
 void Interface::open_lesson(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::optional<std::size_t> step) {
     state_->side.open.reset();  // the lesson opens what it wants
     state_->lecture.start(std::move(lesson), scene, step);
@@ -275,39 +278,10 @@ void Interface::record_lesson(std::shared_ptr<const Lesson> lesson, const Scene&
     open_lesson(std::move(lesson), scene, step);
     if (const auto tab = state_->lecture.wanted_tab()) show_tab(*tab);
 }
-bool Interface::press(LectureKey key, Scene& scene, const Frame* frame) {
-    return state_->lecture.press(key, scene, frame);
-}
-void Interface::start_exercises(std::uint64_t seed, Scene& scene) { state_->lecture.start_exercises(seed, scene); }
-bool Interface::exercising() const { return state_->lecture.predict.running(); }
-Scene Interface::scene_before_exercises(const Scene& scene) const {
-    return state_->lecture.predict.scene_before(scene);
-}
-void Interface::end_exercises() { state_->lecture.predict.stop(); }
-void Interface::add_to(Frame& frame, const Scene& scene, double pixel_scale) const {
-    state_->lecture.predict.add_to(frame, scene, pixel_scale);
-}
-bool Interface::grab(const Frame& frame, const Scene& scene, double pixel_scale, glm::dvec2 pixel) {
-    return state_->lecture.predict.grab(frame, scene, pixel_scale, pixel);
-}
-bool Interface::drag(const Frame& frame, const Scene& scene, double pixel_scale, glm::dvec2 pixel) {
-    state_->lecture.predict.drag(frame, scene, pixel_scale, pixel);
-    return state_->lecture.predict.dragging();
-}
-bool Interface::release() { return state_->lecture.predict.release(); }
-std::optional<Vector<World>> Interface::guess() const {
-    if (!state_->lecture.predict.running()) return std::nullopt;
-    return state_->lecture.predict.guess();
-}
-bool Interface::end_blank() { return state_->lecture.end_blank(); }
 bool Interface::keys_are_free() const {
     const ImGuiIO& io = ImGui::GetIO();
     return !io.WantTextInput && !io.NavVisible && !ImGui::IsAnyItemActive() && !state_->dialog.is_open();
 }
-std::map<std::string, std::size_t>& Interface::lesson_progress() { return state_->lecture.progress; }
-
-void Interface::present(bool presenting) { state_->lecture.present(presenting); }
-bool Interface::presenting() const { return state_->lecture.presenting; }
 
 void Interface::edit_formula(Scene& scene) {
     if (!std::holds_alternative<FormulaSurface>(scene.surface)) scene.surface = state_->panel.formula.last;
@@ -316,7 +290,7 @@ void Interface::edit_formula(Scene& scene) {
 void Interface::toggle_help() { state_->help = !state_->help; }
 void Interface::toggle_panel() { state_->panel_shown = !state_->panel_shown; }
 bool Interface::panel_shown() const { return state_->panel_shown; }
-void Interface::ask_open(const Scene&) { state_->dialog.open(FileDialog::For::OpenAny); }
+void Interface::ask_open() { state_->dialog.open(FileDialog::For::OpenAny); }
 void Interface::ask_save_scene() { state_->dialog.open(FileDialog::For::SaveScene); }
 void Interface::ask_save_picture() { state_->dialog.open(FileDialog::For::SavePicture); }
 bool Interface::dialog_shown() const { return state_->dialog.is_open(); }

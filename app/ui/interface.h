@@ -5,10 +5,9 @@
 #include "core/picture/frame.h"
 #include "core/scene/scene.h"
 #include "ui/kit/requests.h"
-#include "ui/lecture/lecture_key.h"
+#include "ui/lecture/lecture.h"
 
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -42,6 +41,8 @@ public:
     void show_error(std::string_view line);
     /// One line that may go by itself, such as "Saved …".
     void show_note(std::string_view line);
+    /// The line that is shown now; empty if none.
+    std::string_view message() const;
 
     /// The derivation, at the right of the picture; key D.
     void show_derivation(bool shown);
@@ -72,39 +73,16 @@ public:
     void open_lesson(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::optional<std::size_t> step = {});
     /// The same for a picture of a step: nothing moves, and there is nothing to press.
     void record_lesson(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::size_t step);
-    /// Whether the key is for the lesson or the lecturer now. If so it has done what it asks for.
-    bool press(LectureKey key, Scene& scene, const Frame* frame);
-    /// "Where does this normal go?": endless exercises from a seed.
-    void start_exercises(std::uint64_t seed, Scene& scene);
-    /// Their scenes come and go, and are nothing to undo.
-    bool exercising() const;
-    /// The scene that they will give back; the scene itself where there are none.
-    Scene scene_before_exercises(const Scene& scene) const;
-    /// Where another scene takes their place.
-    void end_exercises();
-    /// What the interface itself draws into the picture: the arrow that is dragged in an exercise. A press on that takes
-    /// what the pointer does from then on, until the release.
-    void add_to(Frame& frame, const Scene& scene, double pixel_scale) const;
-    bool grab(const Frame& frame, const Scene& scene, double pixel_scale, glm::dvec2 pixel);
-    bool drag(const Frame& frame, const Scene& scene, double pixel_scale, glm::dvec2 pixel);
-    bool release();
-    /// What it draws there now: another value, another picture.
-    std::optional<Vector<World>> guess() const;
-    /// Shows the picture again, where the screen is black or white; false where it is not.
-    bool end_blank();
+    /// The lesson, the exercises, and how they are shown in a room.
+    Lecture& lecture();
+    const Lecture& lecture() const;
     /// Keys mean something else while somebody writes, or moves about the panel by keyboard.
     bool keys_are_free() const;
-    /// The step at which each lesson was left.
-    std::map<std::string, std::size_t>& lesson_progress();
-
-    /// For a room: no panel, words below the picture. Whoever switches it must make all larger, too.
-    void present(bool presenting);
-    bool presenting() const;
 
     void toggle_help();
     void toggle_panel();
     bool panel_shown() const;
-    void ask_open(const Scene&);
+    void ask_open();
     void ask_save_scene();
     void ask_save_picture();
     /// A dialog is open, or will be in the next frame: keys are for it alone.

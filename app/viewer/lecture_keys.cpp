@@ -1,36 +1,33 @@
 #include "viewer/lecture_keys.h"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
 namespace normalscope {
 
-std::optional<LectureKey> lecture_key(int key) {
+std::optional<LectureKey> lecture_key(ImGuiKey key) {
     switch (key) {
         // The page keys are what presenters' remote controls send, and a full stop for a black screen.
-        case GLFW_KEY_PAGE_DOWN: return LectureKey::Next;
-        case GLFW_KEY_PAGE_UP: return LectureKey::Previous;
-        case GLFW_KEY_RIGHT: return LectureKey::Right;
-        case GLFW_KEY_LEFT: return LectureKey::Left;
-        case GLFW_KEY_UP: return LectureKey::Up;
-        case GLFW_KEY_DOWN: return LectureKey::Down;
-        case GLFW_KEY_ENTER:
-        case GLFW_KEY_KP_ENTER: return LectureKey::Enter;
-        case GLFW_KEY_SLASH: return LectureKey::Hint;  // the question mark's key
-        case GLFW_KEY_HOME: return LectureKey::Again;
-        case GLFW_KEY_PERIOD:
-        case GLFW_KEY_B: return LectureKey::Black;
-        case GLFW_KEY_W: return LectureKey::White;
-        case GLFW_KEY_1:
-        case GLFW_KEY_KP_1: return LectureKey::First;
-        case GLFW_KEY_2:
-        case GLFW_KEY_KP_2: return LectureKey::Second;
-        case GLFW_KEY_3:
-        case GLFW_KEY_KP_3: return LectureKey::Third;
-        case GLFW_KEY_4:
-        case GLFW_KEY_KP_4: return LectureKey::Fourth;
-        case GLFW_KEY_5:
-        case GLFW_KEY_KP_5: return LectureKey::Fifth;
+        case ImGuiKey_PageDown: return LectureKey::Next;
+        case ImGuiKey_PageUp: return LectureKey::Previous;
+        case ImGuiKey_RightArrow: return LectureKey::Right;
+        case ImGuiKey_LeftArrow: return LectureKey::Left;
+        case ImGuiKey_UpArrow: return LectureKey::Up;
+        case ImGuiKey_DownArrow: return LectureKey::Down;
+        case ImGuiKey_Enter:
+        case ImGuiKey_KeypadEnter: return LectureKey::Enter;
+        case ImGuiKey_Slash: return LectureKey::Hint;  // the question mark's key
+        case ImGuiKey_Home: return LectureKey::Again;
+        case ImGuiKey_Period:
+        case ImGuiKey_B: return LectureKey::Black;
+        case ImGuiKey_W: return LectureKey::White;
+        case ImGuiKey_1:
+        case ImGuiKey_Keypad1: return LectureKey::First;
+        case ImGuiKey_2:
+        case ImGuiKey_Keypad2: return LectureKey::Second;
+        case ImGuiKey_3:
+        case ImGuiKey_Keypad3: return LectureKey::Third;
+        case ImGuiKey_4:
+        case ImGuiKey_Keypad4: return LectureKey::Fourth;
+        case ImGuiKey_5:
+        case ImGuiKey_Keypad5: return LectureKey::Fifth;
         default: return std::nullopt;
     }
 }

@@ -2,11 +2,13 @@
 
 #include "ui/lecture/lecture_key.h"
 
+#include <imgui.h>
+
 #include <optional>
 
 namespace normalscope {
 
-/// What a key of GLFW's means in a lesson or a lecture; empty for all others.
-std::optional<LectureKey> lecture_key(int key);
+/// What a key means in a lesson or a lecture; empty for all others.
+std::optional<LectureKey> lecture_key(ImGuiKey key);
 
 }  // namespace normalscope

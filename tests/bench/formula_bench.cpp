@@ -2,11 +2,11 @@
 // torus; and the time from a new formula to its picture while one types, and to its traced one when one pauses, for which
 // the driver compiles a program. Prints one line of JSON.
 
+#include "bench_gui.h"
 #include "core/lessons/open_scene.h"
 #include "core/picture/frame.h"
 #include "core/picture/make_frame.h"
 #include "core/surface/surface.h"
-#include "desktop/gui.h"
 #include "gl/renderer.h"
 #include "gl/target.h"
 #include "measure.h"
@@ -32,9 +32,9 @@ public:
     double milliseconds(const Scene& scene, Quality quality) {
         const Stopwatch watch;
         const Frame frame =
-            make_frame(scene, surfaces_.get(scene), {.rect = gui_.interface.picture(kSize), .quality = quality});
+            make_frame(scene, surfaces_.get(scene), {.rect = gui_.interface().picture(kSize), .quality = quality});
         Scene shown = scene;
-        gui_.layout(kSize, scene.theme, 1.0f, [&] { gui_.interface.draw(shown, frame, {}); });
+        gui_.layout(scene.theme, 1.0f, [&] { gui_.interface().draw(shown, frame, {}); });
         renderer_.draw(frame, quality == Quality::Fine ? target_ : rough_target_);
         gui_.draw();
         glFinish();
@@ -44,7 +44,7 @@ public:
 private:
     Target target_{kSize, 4}, rough_target_{kSize, 1};
     Renderer renderer_;
-    Gui gui_{nullptr};
+    BenchGui gui_{kSize};
     SurfaceCache surfaces_;
 };
 

@@ -1,12 +1,12 @@
 // What one interactive frame costs: the default scene with its panel, the camera turning, drawn off-screen as the
 // window draws it. Prints one line of JSON: frames a second, from the median, by samples a pixel.
 
+#include "bench_gui.h"
 #include "core/lessons/open_scene.h"
 #include "core/picture/frame.h"
 #include "core/picture/make_frame.h"
 #include "core/scene/scene_json.h"
 #include "core/surface/surface.h"
-#include "desktop/gui.h"
 #include "gl/renderer.h"
 #include "gl/target.h"
 #include "measure.h"
@@ -26,15 +26,15 @@ double median_frame_milliseconds(int samples) {
     constexpr int kFrames = 60;
     Target target(kSize, samples);
     Renderer renderer;
-    Gui gui(nullptr);
+    BenchGui gui(kSize);
     SurfaceCache surfaces;
     Scene scene = load_scene(std::string(kDefaultScene));
     std::vector<double> milliseconds;
     for (int i = 0; i < kFrames + 5; ++i) {
         const Stopwatch watch;
         scene.camera.azimuth += 1.0;
-        const Frame frame = make_frame(scene, surfaces.get(scene), {.rect = gui.interface.picture(kSize)});
-        gui.layout(kSize, scene.theme, 1.0f, [&] { gui.interface.draw(scene, frame, {}); });
+        const Frame frame = make_frame(scene, surfaces.get(scene), {.rect = gui.interface().picture(kSize)});
+        gui.layout(scene.theme, 1.0f, [&] { gui.interface().draw(scene, frame, {}); });
         renderer.draw(frame, target);
         gui.draw();
         glFinish();

@@ -2,6 +2,7 @@
 // the frames on the way from step to step, with the panel and in presenter mode. Prints one line of JSON, by lesson, or
 // for the lesson that is named.
 
+#include "bench_gui.h"
 #include "core/lessons/lesson.h"
 #include "core/lessons/lesson_player.h"
 #include "core/picture/display_scale.h"
@@ -9,7 +10,6 @@
 #include "core/picture/make_frame.h"
 #include "core/surface/level_sets.h"
 #include "core/surface/surface.h"
-#include "desktop/gui.h"
 #include "gl/renderer.h"
 #include "gl/target.h"
 #include "measure.h"
@@ -35,22 +35,22 @@ constexpr int kFramesBetweenSteps = 12;
 class Window {
 public:
     explicit Window(bool presenting) : scale_(DisplayScale{}.of(1.0f, kSize, presenting)) {
-        gui_.interface.present(presenting);
+        gui_.interface().lecture().present(presenting);
     }
 
     void open(const std::string& lesson) {
         Opened opened = open_file(lesson, scene_);
         surfaces_ = std::move(opened.surfaces);
         lesson_ = opened.lesson;
-        gui_.interface.open_lesson(std::move(opened.lesson), scene_, 0);
+        gui_.interface().open_lesson(std::move(opened.lesson), scene_, 0);
         scene_ = lesson_->steps.front().scene;
     }
     void draw(const Scene& scene, std::size_t step, bool moving) {
         const Stopwatch watch;
-        if (step != step_) gui_.interface.open_lesson(lesson_, scene, step_ = step);
+        if (step != step_) gui_.interface().open_lesson(lesson_, scene, step_ = step);
         const std::shared_ptr<const Surface> surface = surfaces_->get(scene);
         const Frame frame = make_frame(scene, surface,
-                                       {.rect = gui_.interface.picture(kSize),
+                                       {.rect = gui_.interface().picture(kSize),
                                         .pixel_scale = scale_,
                                         .handles = true,
                                         .quality = moving ? Quality::Draft : Quality::Fine,
@@ -60,7 +60,7 @@ public:
         if (const auto naive = normal_map(scene, m, Rule::Naive))
             status.errors = error_statistics(surface->mesh, *naive, m.normal_matrices_by_rule());
         Scene shown = scene;
-        gui_.layout(kSize, scene.theme, scale_, [&] { gui_.interface.draw(shown, frame, status); });
+        gui_.layout(scene.theme, scale_, [&] { gui_.interface().draw(shown, frame, status); });
         const bool rough = pace_.rough(moving) || (moving && surface->implicit);
         renderer_.coarsen_drafts(pace_.coarse());
         renderer_.draw(frame, rough ? rough_target_ : target_);
@@ -76,7 +76,7 @@ private:
     Pace pace_;
     Target target_{kSize, 4}, rough_target_{kSize, 1};
     Renderer renderer_;
-    Gui gui_{nullptr};
+    BenchGui gui_{kSize};
     std::unique_ptr<SurfaceCache> surfaces_;
     LevelSetsCache level_sets_;
     Scene scene_;

@@ -18,11 +18,12 @@ TEST(Settings, AKillInTheMiddleLeavesWholeSettings) {
     ::setenv("XDG_CONFIG_HOME", folder.path().c_str(), 1);
     std::array<Settings, 2> settings;
     for (std::size_t i = 0; i < 200; ++i)
-        for (Settings& s : settings) s.lessons["lesson " + std::to_string(i)] = &s == settings.data() ? 1 : 22;
+        for (Settings& s : settings)
+            s.remembered.lessons["lesson " + std::to_string(i)] = &s == settings.data() ? 1 : 22;
     EXPECT_EQ(killed_while_saving(folder.path() / "normalscope" / "settings.json",
                                   [&](int v) { save_settings(settings[static_cast<std::size_t>(v)]); }),
               2u);
-    EXPECT_EQ(load_settings().lessons.size(), 200u);
+    EXPECT_EQ(load_settings().remembered.lessons.size(), 200u);
 }
 
 }  // namespace

@@ -1,10 +1,7 @@
 """What the window tests share: the real window, driven by xdotool, and where its scene appears in it."""
 
-import copy
 import functools
-import itertools
 import json
-import math
 import os
 import pathlib
 import re
@@ -23,7 +20,7 @@ SIZE = (640, 460)  # smaller than the program's own, so that frames take little 
 # A scene that is quickly drawn, for tests to which that makes no difference.
 LIGHT = [word for setting in ("surface.resolution=24", "view=single", "arrows.limit=12", "show.grid=false", "show.ghost=false")
          for word in ("--set", setting)]
-MIDDLE = (PANEL + (SIZE[0] - PANEL) // 2, 445)  # of the picture's lower edge: nothing but ground
+GROUND = (PANEL + (SIZE[0] - PANEL) // 2, SIZE[1] - 15)  # nothing else at the picture's lower edge
 
 
 def until(condition, what):
@@ -45,41 +42,6 @@ def xdotool(*words):
 
 def png_size(png):
     return struct.unpack(">II", png[16:24])
-
-
-# ---- The camera, as app/core/camera.h describes it
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-class Camera:
-    def __init__(self, scene, window=SIZE, panel=PANEL):
-        camera = scene["camera"]
-        self.left, self.size = panel, (window[0] - panel, window[1])
-        half = math.radians(15)
-        a, e = math.radians(camera["azimuth"]), math.radians(camera["elevation"])
-        self.backward = (math.sin(a) * math.cos(e), math.sin(e), math.cos(a) * math.cos(e))
-        self.right = (math.cos(a), 0, -math.sin(a))
-        self.up = (-math.sin(a) * math.sin(e), math.cos(e), -math.cos(a) * math.sin(e))
-        distance = 2.6 / math.sin(half) / camera["zoom"]
-        self.eye = [t + distance * b for t, b in zip(camera["target"], self.backward)]
-        self.pixels_per_tangent = min(self.size) / 2 / math.tan(half)
-
-    def pixel(self, point):
-        """Where a point of the world is in the window."""
-        at = [p - e for p, e in zip(point, self.eye)]
-        scale = self.pixels_per_tangent / -dot(at, self.backward)
-        return (round(self.left + self.size[0] / 2 + scale * dot(at, self.right)),
-                round(self.size[1] / 2 - scale * dot(at, self.up)))
-
-
-def changed(scene, path, value):
-    """The scene with one value changed, such as "stack.0.scale.1"."""
-    scene = copy.deepcopy(scene)
-    *way, last = (int(key) if key.isdigit() else key for key in path.split("."))
-    functools.reduce(lambda node, key: node[key], way, scene)[last] = value
-    return scene
 
 
 # ---- The window
@@ -161,28 +123,12 @@ class Window:
     def point(self, at):
         self.do("mousemove", "--window", self.id, *at)
 
-    def click(self, at, button=1):
-        self.point(at)
-        self.do("click", button)
-
-    def drag(self, *way, button=1, slowly=False):
-        """
-        From the first place to the last by way of the others. Each of them is drawn if done `slowly`, which Dear ImGui's
-        sliders need: they do not move in the frame in which they are let go.
-        """
-        self.point(way[0])
-        steps = [["mousedown", button], *(["mousemove", "--window", self.id, *at] for at in way[1:]), ["mouseup", button]]
-        for step in steps if slowly else [sum(steps, [])]:
-            self.do(*step)
+    def drag(self, start, end):
+        self.point(start)
+        self.do("mousedown", 1, "mousemove", "--window", self.id, *end, "mouseup", 1)
 
     def wheel(self, steps):
         self.do("click", "--delay", 0, "--repeat", abs(steps), 4 if steps > 0 else 5)
-
-    def open(self, file):
-        self.key("ctrl+o")
-        self.type(file)
-        self.key("Return")
-        self.settle()
 
     def title(self):
         return xdotool("getwindowname", self.id).strip()
@@ -219,10 +165,6 @@ class Window:
     def picture(self):
         """The picture that it saves."""
         return self.save("ctrl+p", "normalscope.png")
-
-    def cpu_seconds(self):
-        fields = pathlib.Path(f"/proc/{self.process.pid}/stat").read_text().rsplit(")", 1)[1].split()
-        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
     def close(self):
         """Closes it as the user does; returns what it printed and how it ended."""
@@ -280,13 +222,3 @@ class WindowTest(unittest.TestCase):
 
     def assert_closes(self, window):
         self.assertEqual(window.close(), ("", 0))
-
-    def assert_undo(self, window, *scenes):
-        """From the last of these scenes the others are one step of undoing apart."""
-        for scene in reversed(scenes[:-1]):
-            window.key("ctrl+z")
-            self.assertEqual(window.scene(), scene)
-
-    def assert_near(self, actual, expected, tolerance):
-        for a, b in zip(actual, expected, strict=True):
-            self.assertAlmostEqual(a, b, delta=tolerance, msg=f"{actual} is not {expected}")

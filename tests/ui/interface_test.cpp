@@ -168,7 +168,7 @@ TEST_F(InterfaceTest, ALessonsWordsFitTheirStrip) {
         for (const bool presenting : {false, true}) {
             const float share = std::min(static_cast<float>(size.x) / 1920.0f, static_cast<float>(size.y) / 1080.0f);
             for (const BuiltInLesson& lesson : built_in_lessons()) {
-                interface_.present(presenting);
+                interface_.lecture().present(presenting);
                 interface_.open_lesson(std::make_shared<const Lesson>(load_lesson(lesson.name)), Scene{}, 0);
                 interface_.prepare(Theme::Light, presenting ? 28.0f / 13.0f * share : 1.0f);
                 const int strip = size.y - interface_.picture(size).size.y;

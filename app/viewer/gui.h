@@ -1,27 +1,29 @@
 #pragma once
 
 #include "ui/interface.h"
+#include "viewer/host.h"
+
+#include <imgui.h>
 
 #include <functional>
 
-struct GLFWwindow;
-
 namespace normalscope {
 
-/// Dear ImGui's context around the Interface of a window, drawn by GL.
+/// Dear ImGui's context around the Interface of a viewer, which gives it the keyboard, the mouse and the time.
 class Gui {
 public:
-    /// A context is current and outlives this. `window` gets the keyboard and the mouse; null: there is none, and time
-    /// advances by a fixed step.
-    explicit Gui(GLFWwindow* window);
+    explicit Gui(Host& host);
     ~Gui();
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
 
     /// One round of the interface: `content` runs between NewFrame and Render.
-    void layout(glm::ivec2 framebuffer, Theme theme, float scale, const std::function<void()>& content);
-    /// Draws the last round into the bound framebuffer.
-    void draw() const;
+    void layout(Theme theme, float scale, const std::function<void()>& content);
+
+    void key(ImGuiKey key, bool down, ImGuiKeyChord modifiers);
+    void button(int button, bool down, ImGuiKeyChord modifiers);
+    /// No place: the pointer has left.
+    void point(std::optional<glm::dvec2> at);
 
     bool wants_mouse() const;
     bool wants_keyboard() const;
@@ -37,7 +39,11 @@ public:
     Interface interface;
 
 private:
-    bool has_window_;
+    void modifiers(ImGuiKeyChord held);
+
+    Host& host_;
+    std::string clipboard_;  // what Dear ImGui was given last
+    double time_ = 0.0;      // of the last round
 };
 
 }  // namespace normalscope

@@ -1,0 +1,125 @@
+#include "core/picture/picking.h"
+#include "viewer/lecture_keys.h"
+#include "viewer/scene_keys.h"
+#include "viewer/viewer.h"
+
+#include <algorithm>
+#include <array>
+
+namespace normalscope {
+
+namespace {
+
+// With Ctrl; what a field knows itself, such as Ctrl+Z, is meant for its text.
+bool leaves_a_field(ImGuiKey key) {
+    constexpr std::array kKeys{ImGuiKey_F, ImGuiKey_L, ImGuiKey_O, ImGuiKey_P, ImGuiKey_Q, ImGuiKey_S};
+    return std::ranges::find(kKeys, key) != kKeys.end();
+}
+
+}  // namespace
+
+void Viewer::press(const KeyPress& key) {
+    wake();
+    if (!key.repeated) catch_up();
+    gui_.interface.key_was_pressed();
+    pointer_.end_scrolling();
+    if (to_lecture(key)) return;
+    if (!key.repeated) gui_.key(key.key, true, key.modifiers);
+    // A key that is held must not switch back and forth.
+    if (!key.repeated || key.control()) shortcut(key);
+}
+
+void Viewer::release(const KeyPress& key) {
+    wake();
+    gui_.key(key.key, false, key.modifiers);
+}
+
+void Viewer::type(char32_t letter) {
+    wake();
+    ImGui::GetIO().AddInputCharacter(letter);
+}
+
+bool Viewer::to_lecture(const KeyPress& key) {
+    // Whatever is pressed, people see the picture again.
+    if (!key.repeated && key.key != ImGuiKey_F5 && key.key != ImGuiKey_F11 && lecture().end_blank()) return true;
+    const auto meant = lecture_key(key.key);
+    if (!meant || key.control() || key.alt() || pointer_.busy() || !gui_.interface.keys_are_free()) return false;
+    // A key that is held turns an exercise's arrow on and on; it does not run through a lesson and into the next one.
+    if (key.repeated && !exercising()) return true;
+    commit();
+    return lecture().press(*meant, scene_, frame());
+}
+
+void Viewer::shortcut(const KeyPress& key) {
+    switch (key.key) {
+        case ImGuiKey_F1: return gui_.interface.toggle_help();
+        case ImGuiKey_F11: return host_.toggle_full_screen();
+        case ImGuiKey_F5: return present(!presenting());
+        default: break;
+    }
+    if (pointer_.busy() || gui_.interface.dialog_shown()) return;
+    if (gui_.wants_keyboard()) {
+        if (!key.control() || !leaves_a_field(key.key)) return;
+        gui_.finish_typing();
+    }
+    commit();
+    if (key.control()) return shortcut_with_control(key);
+    if (press_view_key(scene_, key.key)) return;
+    if (!exercising() && press_object_key(scene_, key.key)) return;  // what is asked must stay what it is
+    switch (key.key) {
+        case ImGuiKey_M:
+            if (presenting()) host_.to_next_monitor();
+            break;
+        case ImGuiKey_Tab:
+        case ImGuiKey_H: gui_.interface.toggle_panel(); break;
+        case ImGuiKey_F:
+            if (const auto ball = surface_ball()) scene_.camera = framed(scene_.camera, ball->centre, ball->radius);
+            break;
+        default: break;
+    }
+}
+
+void Viewer::shortcut_with_control(const KeyPress& key) {
+    switch (key.key) {
+        case ImGuiKey_Z: return undo(key.shift() ? Direction::Redo : Direction::Undo);
+        case ImGuiKey_Y: return undo(Direction::Redo);
+        case ImGuiKey_O: return gui_.interface.ask_open();
+        case ImGuiKey_S: return gui_.interface.ask_save_scene();
+        case ImGuiKey_F:
+            if (!exercising()) gui_.interface.edit_formula(scene_);
+            return;
+        case ImGuiKey_P: return gui_.interface.ask_save_picture();
+        case ImGuiKey_C: return copy_command();
+        case ImGuiKey_L: return key.shift() ? copy_equations() : copy_link();
+        case ImGuiKey_V: return paste();
+        case ImGuiKey_Equal:
+        case ImGuiKey_KeypadAdd: return scale_.change(presenting(), +1);
+        case ImGuiKey_Minus:
+        case ImGuiKey_KeypadSubtract: return scale_.change(presenting(), -1);
+        case ImGuiKey_0:
+        case ImGuiKey_Keypad0: return scale_.change(presenting(), 0);
+        case ImGuiKey_Q: return host_.close();
+        default: return;
+    }
+}
+
+void Viewer::present(bool presenting) {
+    lecture().present(presenting);
+    if (host_.full_screen() != presenting) host_.toggle_full_screen();
+}
+
+void Viewer::commit_if_finished() {
+    if (!pointer_.busy() && !gui_.editing()) commit();
+}
+
+void Viewer::commit() {
+    if (!exercising()) history_.commit(scene_);
+}
+
+void Viewer::undo(Direction direction) {
+    if (exercising()) return;
+    commit();
+    scene_ = direction == Direction::Redo ? history_.redo() : history_.undo();
+}
+
+}  // namespace normalscope

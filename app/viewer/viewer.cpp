@@ -1,0 +1,181 @@
+#include "viewer/viewer.h"
+
+#include "core/base/error.h"
+#include "core/picture/make_frame.h"
+
+#include <glm/vector_relational.hpp>
+
+#include <algorithm>
+#include <chrono>
+
+namespace normalscope {
+
+namespace {
+
+// Dear ImGui settles over a few frames after an event: a hovered button lights up in the next one.
+constexpr int kFramesAfterEvent = 3;
+constexpr double kLookForFile = 0.05;  // seconds, while one is being read
+
+}  // namespace
+
+Viewer::Viewer(Host& host, Scene scene, const std::string& file, Remembered remembered)
+    : host_(host),
+      gui_(host),
+      scale_(remembered.scale),
+      scene_(std::move(scene)),
+      history_(scene_),
+      frames_wanted_(kFramesAfterEvent),
+      laid_out_at_(host.now()) {
+    lecture().progress = std::move(remembered.lessons);
+    // The scene is there already; lessons and exercises are more than one.
+    if (!file.empty() && is_more_than_a_scene(file)) {
+        open(file);
+        finish_opening();  // mostly done: then nothing else is seen first
+    } else {
+        file_ = file;
+    }
+    set_title();
+}
+
+Remembered Viewer::remembered() const { return {scale_, lecture().progress}; }
+
+Scene Viewer::shown_scene() const {
+    Scene scene = scene_;
+    if (presenting()) scene.theme = theme_of(is_dark(scene.theme), true);
+    return scene;
+}
+
+float Viewer::scale() const { return scale_.of(host_.content_scale(), host_.framebuffer_size(), presenting()); }
+
+std::optional<WorldBall> Viewer::surface_ball() const {
+    if (!frame_ || frame_->surface->mesh.positions.empty()) return std::nullopt;
+    WorldBall ball = bounding_ball(frame_->surface->mesh, world_from_object(scene_));
+    ball.radius += 2.0 * scene_.arrows.length;
+    return ball;
+}
+
+void Viewer::wake() { frames_wanted_ = kFramesAfterEvent; }
+
+double Viewer::due() const {
+    if (frames_wanted_ > 0) return 0.0;
+    const double wait = std::max(wake_at() - host_.now(), 0.0);
+    return opening_.valid() ? std::min(wait, kLookForFile) : wait;
+}
+
+void Viewer::step() {
+    if (opening_.valid()) frames_wanted_ = std::max(frames_wanted_, 1);
+    finish_opening();
+    if (host_.now() >= wake_at()) frames_wanted_ = std::max(frames_wanted_, 1);
+    if (frames_wanted_ == 0) return;
+    --frames_wanted_;
+    draw();
+}
+
+// Until the interface knows of all input so far: whose the next press is depends on what lies under the pointer by now, and
+// on whether something is being typed.
+void Viewer::catch_up() {
+    while (gui_.has_more_input()) {
+        // What is typed into a formula is not made letter by letter where letters come faster than pictures.
+        if (!has_room()) return;
+        obey(frame_ && gui_.interface.typing_formula() ? lay_out() : compose());
+        if (!pointer_.scrolled()) commit_if_finished();
+    }
+}
+
+Frame Viewer::frame_now(Marks marks) {
+    const auto make = [&] {
+        const std::shared_ptr<const Surface> surface = surfaces_->get(scene_);
+        const Quality quality = marks == Marks::AsSaved            ? Quality::Fine
+                                : gui_.interface.typing_formula()  ? Quality::Sketch
+                                : pointer_.busy() || gui_.moving() ? Quality::Draft
+                                                                   : Quality::Fine;
+        Frame frame = make_frame(shown_scene(), surface,
+                                 {.rect = gui_.interface.picture(host_.framebuffer_size()),
+                                  .pixel_scale = scale(),
+                                  .hot_axis = pointer_.hot_axis(),
+                                  .highlight = gui_.interface.highlighted(),
+                                  .handles = marks == Marks::WithHandles,
+                                  .quality = quality,
+                                  .level_sets = level_sets_.get(scene_, surface->implicit)});
+        lecture().predict.add_to(frame, scene_, scale());
+        return frame;
+    };
+    try {
+        return make();
+    } catch (const InputError& e) {  // the scene as it last was is still good
+        gui_.interface.show_error(e.what());
+        scene_ = history_.current();
+        return make();
+    }
+}
+
+Requests Viewer::lay_out() {
+    Requests requests;
+    const bool was_exercising = exercising();
+    const std::optional<ErrorStatistics>& errors = errors_.get(scene_, frame_->surface);
+    gui_.layout(shown_scene().theme, scale(), [&] {
+        requests = gui_.interface.draw(scene_, *frame_, {history_.can_undo(), history_.can_redo(), errors, file_});
+    });
+    laid_out_at_ = host_.now();
+    if (was_exercising && !exercising()) {
+        file_ = file_before_exercises_;
+        set_title();
+    }
+    return requests;
+}
+
+bool Viewer::has_room() const { return glm::all(glm::greaterThan(host_.framebuffer_size(), glm::ivec2(0))); }
+
+Requests Viewer::compose() {
+    frame_ = frame_now(Marks::WithHandles);
+    const Scene before = scene_;
+    const Requests requests = lay_out();
+    if (scene_ != before) {
+        frame_ = frame_now(Marks::WithHandles);  // so that the picture follows the slider without a frame's delay
+        wake();
+    }
+    return requests;
+}
+
+void Viewer::draw() {
+    if (!has_room()) return;
+    const auto began = std::chrono::steady_clock::now();
+    const Requests requests = compose();
+    // While only the interface changes, as in a dialog, the samples still hold the picture.
+    const bool quick = frame_->quality != Quality::Fine;
+    const bool rough = pace_.rough(quick) || (quick && frame_->surface->implicit);
+    const auto guess = exercising() ? std::optional(lecture().predict.guess()) : std::nullopt;
+    const Drawn now{host_.framebuffer_size(),     shown_scene(),   frame_->surface, frame_->rect, pointer_.hot_axis(),
+                    gui_.interface.highlighted(), frame_->quality, rough,           guess};
+    host_.draw({*frame_, drawn_ != now, rough, pace_.coarse(), quick});
+    drawn_ = now;
+    if (quick) pace_.took(std::chrono::steady_clock::now() - began);
+    host_.show();
+
+    obey(requests);
+    if (!pointer_.scrolled()) commit_if_finished();
+    if (gui_.has_more_input()) frames_wanted_ = std::max(frames_wanted_, 1);
+}
+
+void Viewer::obey(const Requests& requests) {
+    if (requests.make_room)
+        if (const auto ball = surface_ball()) scene_.camera = with_room_for(scene_.camera, ball->centre, ball->radius);
+    if (requests.step) commit();
+    if (requests.undo || requests.redo) undo(requests.redo ? Direction::Redo : Direction::Undo);
+    if (requests.full_screen) host_.toggle_full_screen();
+    if (requests.end_presenting) present(false);
+    if (requests.copy_link) copy_link();
+    if (requests.copy_equations) copy_equations();
+    if (requests.quit) host_.close();
+    if (requests.open) open(*requests.open);
+    if (requests.open_mesh) open(*requests.open_mesh);
+    try {
+        if (requests.save_scene) save_scene(*requests.save_scene);
+        if (requests.save_picture) save_picture(*requests.save_picture);
+        if (requests.copy_command) copy_command();
+    } catch (const Error& e) {
+        gui_.interface.show_error(e.what());
+    }
+}
+
+}  // namespace normalscope

@@ -1,0 +1,147 @@
+#pragma once
+
+#include "core/picture/picking.h"
+#include "core/scene/history.h"
+#include "core/surface/level_sets.h"
+#include "viewer/errors_cache.h"
+#include "viewer/gui.h"
+#include "viewer/host.h"
+#include "viewer/key_press.h"
+#include "viewer/opening.h"
+#include "viewer/pace.h"
+#include "viewer/pointer.h"
+#include "viewer/remembered.h"
+
+#include <filesystem>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace normalscope {
+
+/// The program that a window shows: events edit the scene, the scene becomes a frame, and the host draws it. Whoever
+/// hosts it passes on what happens, and calls step() after that and whenever it is due. Pixels are the framebuffer's.
+class Viewer {
+public:
+    /// `file` is what the scene was read from, or empty. The host outlives this.
+    Viewer(Host& host, Scene scene, const std::string& file, Remembered remembered = {});
+    Viewer(const Viewer&) = delete;
+    Viewer& operator=(const Viewer&) = delete;
+
+    void pointer_to(glm::dvec2 pixel);
+    void pointer_left();
+    /// Of Dear ImGui's buttons: 0 is the left one.
+    void press(int button, ImGuiKeyChord modifiers);
+    void release(int button, ImGuiKeyChord modifiers);
+    /// Positive y: away from the user.
+    void scroll(glm::dvec2 steps);
+    void press(const KeyPress& key);
+    void release(const KeyPress& key);
+    void type(char32_t letter);
+    void focus(bool focused);
+    /// The window was resized or uncovered, or is on another monitor.
+    void expose() { wake(); }
+    /// A file, a link, or whatever else has a name: in the background, where that takes time.
+    void open(const std::string& name);
+
+    /// Has all drawn that is to be drawn now.
+    void step();
+    /// Seconds until step() has something to do though nothing happens; infinite if never.
+    double due() const;
+    /// Something is being read in the background.
+    bool opening() const { return opening_.valid(); }
+
+    Remembered remembered() const;
+    const Scene& scene() const { return scene_; }
+    const Interface& interface() const { return gui_.interface; }
+    /// As drawn last; null before the first step.
+    const Frame* frame() const { return frame_ ? &*frame_ : nullptr; }
+
+private:
+    Lecture& lecture() { return gui_.interface.lecture(); }
+    const Lecture& lecture() const { return gui_.interface.lecture(); }
+    bool presenting() const { return lecture().presenting; }
+    bool exercising() const { return lecture().predict.running(); }
+    void wake();
+    /// When the interface wants to be drawn again though nothing happens, by the host's clock.
+    double wake_at() const { return laid_out_at_ + gui_.interface.redraw_after(); }
+
+    // What is seen: viewer.cpp
+    bool has_room() const;
+    void draw();
+    /// Frame and interface as of now.
+    Requests compose();
+    /// The interface over the last frame; it may change the scene.
+    Requests lay_out();
+    /// Until the interface knows of all input so far.
+    void catch_up();
+    enum class Marks { WithHandles, AsSaved };
+    Frame frame_now(Marks marks);
+    void obey(const Requests& requests);
+    /// The surface with its arrows; empty where there is none.
+    std::optional<WorldBall> surface_ball() const;
+    /// The scene as this room should see it: a projector needs contrast.
+    Scene shown_scene() const;
+    /// Physical pixels per logical one, as desktop, user and room want it.
+    float scale() const;
+
+    // What the keys do: shortcuts.cpp
+    /// Whether the key was for a lesson or a lecturer.
+    bool to_lecture(const KeyPress& key);
+    void shortcut(const KeyPress& key);
+    void shortcut_with_control(const KeyPress& key);
+    void present(bool presenting);
+    /// What the user has finished doing becomes one step to undo.
+    void commit_if_finished();
+    void commit();
+    enum class Direction { Undo, Redo };
+    void undo(Direction direction);
+
+    // What comes in and goes out: exchange.cpp
+    void finish_opening();
+    void take(Opened opened);
+    void save_scene(const std::filesystem::path& file);
+    void save_picture(const std::filesystem::path& file);
+    void copy_command();
+    void copy_link();
+    void copy_equations();
+    void paste();
+    void set_title();
+
+    Host& host_;
+    Gui gui_;
+    DisplayScale scale_;
+    Pace pace_;
+    std::unique_ptr<SurfaceCache> surfaces_ = std::make_unique<SurfaceCache>();
+    LevelSetsCache level_sets_;
+    ErrorsCache errors_;
+
+    Scene scene_;
+    History history_;
+    std::string file_, file_before_exercises_;
+    std::optional<Frame> frame_;
+    Pointer pointer_;
+    glm::dvec2 pointer_at_{0.0};
+    std::future<Opened> opening_;
+
+    int frames_wanted_;
+    double laid_out_at_;  ///< by the host's clock
+
+    /// What the host's samples hold.
+    struct Drawn {
+        glm::ivec2 framebuffer{0};
+        Scene scene;
+        std::shared_ptr<const Surface> surface;
+        PixelRect rect;
+        std::optional<int> hot_axis;
+        std::optional<Highlight> highlight;
+        Quality quality = Quality::Fine;
+        bool rough = false;
+        std::optional<Vector<World>> guess;
+        friend bool operator==(const Drawn&, const Drawn&) = default;
+    };
+    std::optional<Drawn> drawn_;
+};
+
+}  // namespace normalscope

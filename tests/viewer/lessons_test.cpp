@@ -1,0 +1,203 @@
+// Lessons, exercises and presenting, by keyboard alone.
+
+#include "core/base/file.h"
+#include "viewer/hosted.h"
+
+namespace normalscope {
+namespace {
+
+constexpr const char* kLesson = "3-when-naive-is-right";
+using Kinds = std::vector<ArrowKind>;
+const Kinds kAsked{ArrowKind::Object}, kTold{ArrowKind::Object, ArrowKind::Naive, ArrowKind::InverseTranspose};
+
+class LessonsTest : public ViewerTest {
+protected:
+    void start_lesson(const std::string& name, Remembered remembered = {}) {
+        start(light(), name, std::move(remembered));
+    }
+    std::size_t step() const { return lecture().player.number(); }
+    std::vector<StackEntry> stack_of(std::size_t step) const { return lesson_.steps.at(step).scene.stack; }
+    const Lesson lesson_ = load_lesson(kLesson);
+};
+
+TEST_F(LessonsTest, ByTheKeysOfARemoteControl) {
+    start_lesson(kLesson);
+    EXPECT_EQ(named(), kLesson);
+    EXPECT_EQ(scene().stack, stack_of(0));
+    key(ImGuiKey_PageDown);
+    EXPECT_EQ(scene().stack, stack_of(1));
+    key(ImGuiKey_RightArrow);
+    EXPECT_EQ(scene().stack, stack_of(2));
+    key(ImGuiKey_PageUp);
+    EXPECT_EQ(scene().stack, stack_of(1));
+    key(ImGuiKey_R);  // play, and come back
+    EXPECT_EQ(scene().stack, std::vector<StackEntry>{Scale{}});
+    key(ImGuiKey_Home);
+    EXPECT_EQ(scene().stack, stack_of(1));
+    EXPECT_EQ(viewer().remembered().lessons, (std::map<std::string, std::size_t>{{kLesson, 1}}));
+}
+
+TEST_F(LessonsTest, AStepMovesRatherThanJumps) {
+    start_lesson(kLesson);
+    viewer().press(KeyPress{ImGuiKey_PageDown});
+    host_.time += 0.1;
+    viewer().step();
+    EXPECT_TRUE(viewer().interface().playing());
+    EXPECT_NE(scene().stack, stack_of(0));
+    EXPECT_NE(scene().stack, stack_of(1));
+    EXPECT_EQ(viewer().due(), 0.0);
+    settle();
+    EXPECT_EQ(scene().stack, stack_of(1));
+}
+
+TEST_F(LessonsTest, AHeldKeyIsOneStep) {
+    start_lesson(kLesson);
+    hold(ImGuiKey_PageDown);
+    EXPECT_EQ(step(), 1u);
+}
+
+TEST_F(LessonsTest, ProgressIsKept) {
+    start_lesson(kLesson, {.scale = {}, .lessons = {{kLesson, 3}}});
+    EXPECT_EQ(step(), 3u);
+    start_lesson(std::string(kLesson) + "#2", {.scale = {}, .lessons = {{kLesson, 3}}});
+    EXPECT_EQ(step(), 1u);
+}
+
+TEST_F(LessonsTest, AfterALessonTheNextIfAskedTwice) {
+    start_lesson(std::string(kLesson) + "#" + std::to_string(lesson_.steps.size()));
+    key(ImGuiKey_PageDown);
+    EXPECT_EQ(named(), kLesson);
+    key(ImGuiKey_PageDown);
+    EXPECT_EQ(named(), "4-derivation");
+}
+
+TEST_F(LessonsTest, EscapeLeavesALessonAndItsStepStays) {
+    start_lesson(kLesson);
+    key(ImGuiKey_Escape);
+    EXPECT_FALSE(lecture().player.running());
+    EXPECT_EQ(scene().stack, stack_of(0));
+    key(ImGuiKey_PageDown);
+    EXPECT_EQ(scene().stack, stack_of(0));
+}
+
+TEST_F(LessonsTest, ALessonsOwnFileIsNotOverwritten) {
+    const std::string lesson =
+        R"({"normalscope": 1, "lesson": "L", "about": "l", "steps": [{"caption": "A sphere.", "scene": {"stack": []}}]})";
+    write("lesson.json", lesson);
+    start_lesson(path("lesson.json"));
+    EXPECT_EQ(named(), "lesson.json");
+    key(ImGuiMod_Ctrl | ImGuiKey_S);
+    type(path("scene.json"));
+    key(ImGuiKey_Enter);
+    EXPECT_EQ(load_scene(path("scene.json")).stack, scene().stack);
+    EXPECT_EQ(read_file(path("lesson.json"), 1 << 16), lesson);
+}
+
+TEST_F(LessonsTest, Presenting) {
+    start();
+    const Scene before = scene();
+    key(ImGuiKey_F5);
+    EXPECT_TRUE(host_.full);
+    EXPECT_TRUE(lecture().presenting);
+    EXPECT_TRUE(has_contrast(viewer().frame()->theme));
+    EXPECT_LT(viewer().frame()->rect.size.y, host_.size.y);  // words below
+    keys({ImGuiKey_N, ImGuiKey_B, ImGuiKey_I});  // whatever it is otherwise, it ends the black screen, and no more
+    EXPECT_EQ(scene().rule, Rule::Naive);
+    keys({ImGuiKey_Period, ImGuiKey_C, ImGuiKey_W, ImGuiKey_C, ImGuiKey_M});
+    EXPECT_EQ(scene().rule, Rule::Naive);
+    EXPECT_EQ(host_.monitor, 1);
+    keys({ImGuiMod_Ctrl | ImGuiKey_Equal, ImGuiMod_Ctrl | ImGuiKey_Equal, ImGuiKey_F5});
+    EXPECT_FALSE(host_.full);
+    EXPECT_FALSE(lecture().presenting);
+    EXPECT_EQ(scene().theme, before.theme);
+    EXPECT_NEAR(viewer().remembered().scale.presenter, 1.21, 1e-9);
+    EXPECT_EQ(viewer().remembered().scale.interface, 1.0);
+    keys({ImGuiKey_F5, ImGuiKey_Escape});
+    EXPECT_FALSE(host_.full);
+    key(ImGuiKey_M);
+    EXPECT_EQ(host_.monitor, 1);
+}
+
+TEST_F(LessonsTest, AnExercise) {
+    start_lesson("exercises:42");
+    EXPECT_EQ(named(), "exercises:42");
+    const Scene asked = scene();
+    EXPECT_EQ(asked.arrows.show, kAsked);
+    keys({ImGuiKey_LeftArrow, ImGuiKey_LeftArrow, ImGuiKey_UpArrow, ImGuiKey_Enter});
+    EXPECT_EQ(scene().arrows.show, kTold);
+    key(ImGuiKey_PageDown);
+    EXPECT_EQ(scene().arrows.show, kAsked);
+    EXPECT_NE(scene().stack, asked.stack);
+}
+
+TEST_F(LessonsTest, AnExercisesArrowIsDragged) {
+    start_lesson("exercises:42");
+    const glm::dvec3 before = lecture().predict.guess().xyz;
+    const auto& probe = viewer().frame()->probe;
+    ASSERT_TRUE(probe);
+    // Somewhere along the way from its foot is its tip.
+    const glm::dvec3 foot = probe->point.xyz;
+    for (double along = 0.02; along < 2.0 && lecture().predict.guess().xyz == before; along += 0.04) {
+        const glm::dvec2 at = pixel(foot + along * glm::normalize(before));
+        drag({at, at + glm::dvec2(40, 5)});
+    }
+    EXPECT_NE(lecture().predict.guess().xyz, before);
+    EXPECT_FALSE(lecture().predict.dragging());
+}
+
+TEST_F(LessonsTest, WhatIsAskedStaysWhatItIs) {
+    start_lesson("exercises:42");
+    const Scene asked = scene();
+    for (const ImGuiKeyChord chord : {+ImGuiKey_N, +ImGuiKey_I, +ImGuiKey_C, +ImGuiKey_V, +ImGuiKey_R, +ImGuiKey_E,
+                                      ImGuiMod_Ctrl | ImGuiKey_Z, ImGuiMod_Ctrl | ImGuiKey_F})
+        key(chord);
+    EXPECT_EQ(scene(), asked);
+    key(ImGuiKey_T);
+    EXPECT_EQ(scene().theme, Theme::Dark);
+}
+
+TEST_F(LessonsTest, ExercisesGiveTheSceneBack) {
+    start_lesson("exercises:42");
+    key(ImGuiKey_Enter);  // the arrow has not been moved: asked once, that is no answer
+    EXPECT_EQ(scene().arrows.show, kAsked);
+    key(ImGuiKey_Enter);
+    EXPECT_EQ(scene().arrows.show, kTold);
+    key(ImGuiKey_Escape);
+    EXPECT_EQ(named(), "");
+    EXPECT_EQ(scene(), light());
+    keys({ImGuiKey_N, ImGuiMod_Ctrl | ImGuiKey_Z});
+    EXPECT_EQ(scene(), light());
+}
+
+TEST_F(LessonsTest, AMeshOpenedInAnExerciseHasTheEarlierScene) {
+    write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    start_lesson("exercises:42");
+    open(path("a.obj"));
+    EXPECT_EQ(named(), "a.obj");
+    EXPECT_EQ(scene().arrows.limit, 12);
+    EXPECT_EQ(scene().surface, SurfaceSource(MeshSurface{path("a.obj")}));
+    const Scene opened = scene();
+    keys({ImGuiKey_Enter, ImGuiKey_Enter});
+    EXPECT_EQ(scene(), opened);
+    key(ImGuiMod_Ctrl | ImGuiKey_Z);
+    EXPECT_EQ(scene(), light());
+}
+
+TEST_F(LessonsTest, AQuestionIsAnsweredByItsNumber) {
+    for (const BuiltInLesson& built_in : built_in_lessons()) {
+        const Lesson lesson = load_lesson(built_in.name);
+        for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+            if (!lesson.steps[i].question) continue;
+            start_lesson(built_in.name + "#" + std::to_string(i + 1));
+            const Camera before = scene().camera;
+            key(ImGuiKey_1);
+            EXPECT_EQ(lecture().player.answer(), 0u);
+            EXPECT_EQ(scene().camera, before);
+            return;
+        }
+    }
+    FAIL() << "no lesson asks anything";
+}
+
+}  // namespace
+}  // namespace normalscope

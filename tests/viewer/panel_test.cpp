@@ -1,0 +1,182 @@
+// The sliders and buttons of the panel, formulas and tabs, as a hand moves them.
+
+#include "viewer/hosted.h"
+
+namespace normalscope {
+namespace {
+
+class PanelTest : public ViewerTest {
+protected:
+    Item bar(const char* id) const { return Item("##panel/##rest") / 0 / id; }
+    Item rule(const char* label) const { return Item("##panel/##always") / label / "##rule"; }
+    glm::dvec3 factors() const { return std::get<Scale>(scene().stack.at(0)).factors; }
+    void slide(const char* id, double by) {
+        const glm::dvec2 at = middle(bar(id));
+        drag({at, at + glm::dvec2(by / 2, 0), at + glm::dvec2(by, 0)});
+    }
+    Item tab(const char* label) const { return Item("##panel/##always") / label; }
+    void type_formula(std::string_view text) {
+        keys({ImGuiMod_Ctrl | ImGuiKey_F, ImGuiMod_Ctrl | ImGuiKey_A});
+        type(text);
+    }
+    std::string formula() const { return std::get<FormulaSurface>(scene().surface).formula; }
+};
+
+TEST_F(PanelTest, ASliderMovesOneFactor) {
+    start();
+    const Scene before = scene();
+    slide("##y", -20);
+    EXPECT_LT(factors().y, 1.9);
+    EXPECT_GT(factors().y, 1.0);
+    EXPECT_EQ(factors().x, 0.5);
+    EXPECT_EQ(factors().z, 1.0);
+    expect_undo({before, scene()});
+}
+
+TEST_F(PanelTest, ASliderThroughZero) {
+    start();
+    const Scene before = scene();
+    slide("##x", -50);
+    EXPECT_LT(factors().x, 0.0);
+    EXPECT_GT(factors().x, -2.0);
+    expect_undo({before, scene()});
+}
+
+// Whatever there is to be said of a reflection or of a flat object.
+TEST_F(PanelTest, TheSlidersStayWhereTheyAre) {
+    start();
+    const glm::dvec2 x = middle(bar("##x")), y = middle(bar("##y")), z = middle(bar("##z"));
+    for (const auto& [id, by] : std::vector<std::pair<const char*, double>>{{"##x", -50}, {"##z", -40}, {"##y", -20}}) {
+        slide(id, by);
+        EXPECT_EQ(middle(bar("##x")), x);
+        EXPECT_EQ(middle(bar("##y")), y);
+        EXPECT_EQ(middle(bar("##z")), z);
+    }
+}
+
+TEST_F(PanelTest, NumbersAreTypedAfterAClickWhichAloneChangesNothing) {
+    start();
+    const Scene before = scene();
+    click(bar("##z"));
+    EXPECT_EQ(scene(), before);
+    key(ImGuiKey_Escape);
+    struct Row {
+        const char* text;
+        double value;
+    };
+    for (const auto& [text, value] : {Row{"-1.5e0", -1.5}, Row{"nan", -1.5}, Row{"0", 0}, Row{"1/4", 0.25}}) {
+        click(bar("##z"));
+        type(text);
+        for (const ImGuiKey letter : {ImGuiKey_E, ImGuiKey_N}) viewer().press(KeyPress{letter});  // no shortcuts here
+        key(ImGuiKey_Enter);
+        Scene expected = before;
+        std::get<Scale>(expected.stack.at(0)).factors.z = value;
+        EXPECT_EQ(scene(), expected) << text;
+    }
+}
+
+TEST_F(PanelTest, LockedFactorsKeepTheirProportions) {
+    start();
+    click(bar("##lock"));
+    slide("##y", -20);
+    EXPECT_LT(factors().y, 1.9);
+    EXPECT_NEAR(factors().x, factors().y / 4, 1e-9);
+    EXPECT_NEAR(factors().z, factors().y / 2, 1e-9);
+}
+
+TEST_F(PanelTest, ButtonsChooseTheRule) {
+    start();
+    Scene before = scene();
+    for (const auto& [label, chosen] : std::vector<std::pair<const char*, Rule>>{
+             {"naive", Rule::Naive}, {"cofactor", Rule::Cofactor}, {"inverse transpose", Rule::InverseTranspose}}) {
+        click(rule(label));
+        EXPECT_EQ(scene().rule, chosen);
+    }
+    for (int i = 0; i < 3; ++i) key(ImGuiMod_Ctrl | ImGuiKey_Z);
+    EXPECT_EQ(scene(), before);
+}
+
+TEST_F(PanelTest, AFormulaIsTypedAndIsOneStepToUndo) {
+    start(light("implicit-sphere"));
+    const Scene before = scene();
+    type_formula("x^2+y^2+2z^2-a");
+    key(ImGuiKey_Enter);
+    EXPECT_EQ(formula(), "x^2+y^2+2z^2-a");
+    expect_undo({before, scene()});
+}
+
+TEST_F(PanelTest, TheLastGoodFormulaStays) {
+    start(light("implicit-sphere"));
+    const Scene before = scene();
+    type_formula("x");
+    type("^");
+    key(ImGuiKey_Enter);
+    EXPECT_EQ(formula(), "x");  // can be read, and what follows it cannot
+    expect_undo({before, scene()});
+}
+
+TEST_F(PanelTest, APauseMakesAStep) {
+    start(light("implicit-sphere"));
+    const Scene before = scene();
+    type_formula("x+y");
+    wait(1.5);
+    type("+z");
+    key(ImGuiKey_Enter);
+    EXPECT_EQ(formula(), "x+y+z");
+    key(ImGuiMod_Ctrl | ImGuiKey_Z);
+    EXPECT_EQ(formula(), "x+y");
+    key(ImGuiMod_Ctrl | ImGuiKey_Z);
+    EXPECT_EQ(scene(), before);
+}
+
+TEST_F(PanelTest, AShapeGivesWayToAFormula) {
+    start();
+    const Scene before = scene();
+    type_formula("y - x z");
+    key(ImGuiKey_Enter);
+    EXPECT_EQ(formula(), "y - x z");
+    Scene expected = before;
+    expected.surface = scene().surface;
+    expected.about = "";  // it told of the shape
+    EXPECT_EQ(scene(), expected);
+}
+
+TEST_F(PanelTest, CtrlAndALetterLeaveAField) {
+    start(light("implicit-sphere"));
+    type_formula("x+y");
+    key(ImGuiMod_Ctrl | ImGuiKey_S);
+    EXPECT_TRUE(viewer().interface().dialog_shown());
+    EXPECT_EQ(formula(), "x+y");
+}
+
+TEST_F(PanelTest, ScrubbingTheStackMovesTheObject) {
+    Scene two = light("shear");
+    two.stack = {Scale{{1, 2, 1}}, Rotate{{0, 0, 1}, 40}};
+    host_.size = {1280, 800};
+    start(two);
+    click(tab("Stack"));
+    const Item slider = Item("##side/##tab") / "##position";
+    const glm::dvec2 at = middle(slider);
+    drag({at, at - glm::dvec2(20, 0), at - glm::dvec2(60, 0)});
+    ASSERT_TRUE(scene().stack_position);
+    EXPECT_LT(*scene().stack_position, 2.0);
+    Scene whole = scene();
+    whole.stack_position.reset();
+    EXPECT_EQ(whole, two);
+    expect_undo({two, scene()});
+}
+
+TEST_F(PanelTest, PlayingEndsWithTheWholeStackAndIsNothingToUndo) {
+    Scene two = light("shear");
+    two.stack = {Scale{{1, 2, 1}}, Rotate{{0, 0, 1}, 40}};
+    host_.size = {1280, 800};
+    start(two);
+    click(tab("Stack"));
+    click(Item("##side/##tab") / "##play");
+    EXPECT_EQ(scene(), two);  // played to its end
+    key(ImGuiMod_Ctrl | ImGuiKey_Z);
+    EXPECT_EQ(scene(), two);
+}
+
+}  // namespace
+}  // namespace normalscope
