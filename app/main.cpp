@@ -2,13 +2,13 @@
 #include "commands/commands.h"
 #include "commands/scene_arguments.h"
 #include "core/base/error.h"
+#include "core/base/utf8.h"
 #include "core/lessons/exercise.h"
 #include "desktop/desktop.h"
 
-#include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
 
 namespace normalscope {
@@ -16,16 +16,17 @@ namespace normalscope {
 namespace {
 
 int run(const ViewCommand& command) {
-    const std::string file = command.file.value_or("");
+    std::string file = command.file.value_or("");
     const bool nothing = file.empty() || exercises_name(file);  // exercises are left for the scene before them
-    run_viewer(scene_for(nothing ? std::string(kDefaultScene) : file, command.settings), file);
+    Scene scene = subject_of(nothing ? std::string(kDefaultScene) : file, command.settings).scene;
+    if (file == "-") file.clear();  // standard input gives what it holds once
+    run_viewer(std::move(scene), file);
     return 0;
 }
 
 // One line, whatever a file's name holds.
-int fail(int code, std::string reason) {
-    std::ranges::replace_if(reason, [](unsigned char c) { return std::iscntrl(c); }, ' ');
-    std::fprintf(stderr, "normalscope: %s\n", reason.c_str());
+int fail(int code, const std::string& reason) {
+    std::fprintf(stderr, "normalscope: %s\n", in_one_line(reason).c_str());
     return code;
 }
 
@@ -41,6 +42,8 @@ int main(int argc, char** argv) {
         return fail(2, e.what());
     } catch (const ContextError& e) {
         return fail(4, e.what());
+    } catch (const std::bad_alloc&) {
+        return fail(3, kOutOfMemory);
     } catch (const std::exception& e) {
         return fail(3, e.what());
     }

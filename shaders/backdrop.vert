@@ -2,6 +2,7 @@
 layout(location = 0) in vec2 corner;  // in clip space
 
 uniform mat4 world_from_clip;
+uniform float ray_depth;  // in clip space, where each ray is looked up
 uniform vec3 eye;
 uniform vec3 top_color;
 uniform vec3 bottom_color;
@@ -10,7 +11,7 @@ out vec3 ray;
 out vec3 sky;
 
 void main() {
-    vec4 far = world_from_clip * vec4(corner, 1.0, 1.0);
+    vec4 far = world_from_clip * vec4(corner, ray_depth, 1.0);
     ray = far.xyz / far.w - eye;
     sky = mix(bottom_color, top_color, 0.5 * corner.y + 0.5);
     gl_Position = vec4(corner, 1.0, 1.0);

@@ -26,11 +26,16 @@ uniform sampler2D tiles;       // what tiles.frag wrote: the above counts where 
 uniform int tile_size;         // in texels of `hits`
 uniform float leave_edges;     // 1: not where those are
 #else
+#ifdef PROJECTIVE
+in vec4 world_place;
+#else
 in vec3 world_position;
+#endif
 in vec3 world_normal;
 in vec4 base_color;
 #ifdef ERROR_MAP
 in vec3 object_normal;
+in vec3 object_position;
 #endif
 #endif
 
@@ -46,6 +51,7 @@ uniform float ghost;       // 1: a glassy shell, clearest where one looks straig
 uniform mat4 naive_matrix;
 uniform float naive_w;
 uniform mat3 inverse_transpose_matrix;
+uniform mat4 planes;  // (M⁻¹)ᵀ, by which tangent planes go; where M is not affine
 uniform vec3 ramp[6];
 #endif
 
@@ -54,7 +60,11 @@ out vec4 color;  // times alpha
 #ifdef ERROR_MAP
 vec3 error_color(vec3 object_normal) {
     vec3 naive = (naive_matrix * vec4(object_normal, naive_w)).xyz;
+#ifdef PROJECTIVE
+    vec3 correct = (planes * vec4(object_normal, -dot(object_normal, object_position))).xyz;
+#else
     vec3 correct = inverse_transpose_matrix * object_normal;
+#endif
     float at = atan(length(cross(naive, correct)), dot(naive, correct)) / 1.5707963 * 5.0;
     vec3 c = ramp[0];
     for (int i = 0; i < 5; ++i) c = mix(c, ramp[i + 1], clamp(at - float(i), 0.0, 1.0));
@@ -79,6 +89,10 @@ void main() {
     bool front_facing = dot(object_normal, object_from_world * ray) < 0.0 != mirrored > 0.5;
 #else
     bool front_facing = gl_FrontFacing;
+#ifdef PROJECTIVE
+    if (world_place.w <= 0.0) discard;  // beyond infinity
+    vec3 world_position = world_place.xyz / world_place.w;
+#endif
 #endif
 #ifdef ERROR_MAP
     vec3 base = error_color(object_normal);
@@ -86,6 +100,12 @@ void main() {
     vec3 base = base_color.rgb;
 #endif
     float size = length(world_normal);
+#ifdef NORMALS
+    vec3 shown = unit_at_pixels > 0.5 && size > 0.0 ? world_normal / size : world_normal;
+    if (outside != 0.0 && front_facing == (outside < 0.0)) shown = -shown;
+    color = vec4(clamp(0.5 * shown + 0.5, 0.0, 1.0), 1.0) * base_color.a;  // numbers, not light: as they are
+    return;
+#endif
     if (size == 0.0) {  // no normal, no light: flat colour says so
         color = vec4(base * (1.0 - zero_is_black), 1.0) * base_color.a;
         return;

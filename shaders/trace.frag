@@ -4,6 +4,7 @@
 // A part of the ray is free of roots if all Bernstein coefficients of f there have one sign, has just one if they change
 // it once, and is halved otherwise. Polynomials of that degree are met exactly; for anything else the interpolant's
 // last terms tell how far it may be off, and what is not safe is halved.
+#include "double.glsl"
 #include "edges.glsl"
 
 in vec3 ray;
@@ -17,9 +18,10 @@ uniform float only_edges;        // 1: only where those show that a pixel holds 
 out vec4 hit;  // unit n_object, or 0 where there is none; t, or 0 for a miss, or −1 for a pixel left out
 
 const int ATTEMPTS = POLYNOMIAL ? 1 : 12;
-const int STEPS = POLYNOMIAL ? 48 : 384;
-const float NARROWEST = 1.0 / 4096.0;  // of the whole: there f is zero as far as floats can tell
-const float LARGEST = 3e37;
+const int STEPS = (POLYNOMIAL ? 48 : 384) * (DOUBLE ? 2 : 1);
+// Of the whole: parts so narrow that f is zero there as far as can be told, and how closely a root is told.
+const REAL NARROWEST = DOUBLE ? 1.0 / 65536.0 : 1.0 / 4096.0;
+const REAL CLOSE = DOUBLE ? 1e-12 : 2e-7;
 
 void main() {
     hit = vec4(0.0, 0.0, 0.0, -1.0);
@@ -36,48 +38,49 @@ void main() {
     hit.w = 0.0;
 
     // Along the ray from its point nearest to the middle, where floats are finest.
-    vec3 d = ray;
-    float to_nearest = -dot(eye, d) / dot(d, d);
-    vec3 o = eye + to_nearest * d;
-    vec3 safe = mix(d, vec3(1e-20), lessThan(abs(d), vec3(1e-20)));
-    vec3 a = (box_low - o) / safe, b = (box_high - o) / safe;
-    vec3 entry = min(a, b), leave = max(a, b);
-    float from = max(max(entry.x, entry.y), max(entry.z, -to_nearest)), to = min(leave.x, min(leave.y, leave.z));
+    REAL3 d = REAL3(ray);
+    REAL3 from_eye = REAL3(eye);
+    REAL to_nearest = -dot(from_eye, d) / dot(d, d);
+    REAL3 o = from_eye + to_nearest * d;
+    REAL3 safe = mix(d, REAL3(1e-20), lessThan(abs(d), REAL3(1e-20)));
+    REAL3 a = (REAL3(box_low) - o) / safe, b = (REAL3(box_high) - o) / safe;
+    REAL3 entry = min(a, b), leave = max(a, b);
+    REAL from = max(max(entry.x, entry.y), max(entry.z, -to_nearest)), to = min(leave.x, min(leave.y, leave.z));
     if (ball > 0.0) {
-        float reach = sqrt(max(ball * ball - dot(o, o), 0.0) / dot(d, d));
+        REAL reach = sqrt(max(ball * ball - dot(o, o), 0.0) / dot(d, d));
         from = max(from, -reach);
         to = min(to, reach);
     }
     if (from >= to) return;
 
-    float narrowest = NARROWEST * (to - from);
-    float low = from, width = POLYNOMIAL ? to - from : 0.25 * (to - from);
-    float f_low = f(o + low * d), f_most = 0.0;
+    REAL narrowest = NARROWEST * (to - from);
+    REAL low = from, width = POLYNOMIAL ? to - from : 0.25 * (to - from);
+    REAL f_low = f(o + low * d), f_most = 0.0;
     // Of the narrow parts up to here in a row, where |f| is least, what the samples beside that are, and the largest |f|
     // before it and of all: as (t, f) where a place is meant.
-    vec2 dip = vec2(0.0), dip_left = vec2(0.0), dip_right = vec2(0.0), previous = vec2(0.0);
-    float peak = 0.0, highest = 0.0;
+    REAL2 dip = REAL2(0.0), dip_left = REAL2(0.0), dip_right = REAL2(0.0), previous = REAL2(0.0);
+    REAL peak = 0.0, highest = 0.0;
     bool fresh = true;                 // none in this row yet
-    vec2 before_low = vec2(0.0, 0.0);  // the last sample before `low`
+    REAL2 before_low = REAL2(0.0, 0.0);  // the last sample before `low`
     for (int attempt = 0; attempt < ATTEMPTS; ++attempt) {
         // The first part with a root: f differs in sign at its ends, or comes near zero at `dip` and goes away again.
         bool found = false, crosses = false;
-        float left = 0.0, right = 0.0, f_left = 0.0, f_right = 0.0, f_small = 0.0, f_end = 0.0;
+        REAL left = 0.0, right = 0.0, f_left = 0.0, f_right = 0.0, f_small = 0.0, f_end = 0.0;
         for (int i = 0; i < STEPS; ++i) {
-            float s[DEGREE + 1], c[DEGREE + 1];
+            REAL s[DEGREE + 1], c[DEGREE + 1];
             s[0] = f_low;
-            float largest = abs(f_low), smallest = abs(f_low);
+            REAL largest = abs(f_low), smallest = abs(f_low);
             bool narrow = width < 1.5 * narrowest, dips = false;
             if (narrow && fresh) {
-                dip = previous = vec2(low, f_low);
+                dip = previous = REAL2(low, f_low);
                 if (!POLYNOMIAL) dip_left = before_low;
                 peak = abs(before_low.y);
                 highest = max(peak, abs(f_low));
             }
             for (int j = 1; j <= DEGREE; ++j) {
-                vec2 here = vec2(low + width * POINTS[j], 0.0);
+                REAL2 here = REAL2(low + width * POINTS[j], 0.0);
                 here.y = s[j] = f(o + here.x * d);
-                float size = abs(here.y);
+                REAL size = abs(here.y);
                 largest = max(largest, size);
                 smallest = min(smallest, size);
                 if (!narrow) continue;
@@ -97,17 +100,17 @@ void main() {
                 if (lower) dip = here;
             }
             to_bernstein(s, c);
-            float least = c[0], most = c[0], changes = 0.0;
+            REAL least = c[0], most = c[0], changes = 0.0;
             for (int j = 1; j <= DEGREE; ++j) {
                 least = min(least, c[j]);
                 most = max(most, c[j]);
                 changes += c[j] < 0.0 != c[j - 1] < 0.0 ? 1.0 : 0.0;
             }
-            float slack = ROUNDING * largest;
+            REAL slack = ROUNDING * largest;
             f_most = max(f_most, largest);
             bool faithful = true;
             if (!POLYNOMIAL) {
-                float last = last_terms(s);
+                REAL last = last_terms(s);
                 slack += CAUTION * last;
                 faithful = last < 0.02 * (most - least) && largest < LARGEST;
             }
@@ -115,7 +118,7 @@ void main() {
             crosses = s[DEGREE] < 0.0 != f_low < 0.0;
             // What looks free after narrow parts may go on from a kink at their end.
             if (!POLYNOMIAL && free && !narrow && !fresh && smallest >= abs(dip.y) && peak > abs(dip.y)) {
-                dip_right = vec2(low + width * POINTS[1], s[1]);
+                dip_right = REAL2(low + width * POINTS[1], s[1]);
                 dips = true;
             } else {
                 dips = dips && (!free || !fresh);
@@ -133,7 +136,7 @@ void main() {
             }
             if (free || narrow) {
                 fresh = !narrow;
-                if (!POLYNOMIAL) before_low = vec2(low + width * POINTS[DEGREE - 1], s[DEGREE - 1]);
+                if (!POLYNOMIAL) before_low = REAL2(low + width * POINTS[DEGREE - 1], s[DEGREE - 1]);
                 low += width;
                 f_low = s[DEGREE];
                 if (low >= to - 0.5 * narrowest) break;
@@ -148,9 +151,9 @@ void main() {
         // a step that leaves more than half of the part is followed by one that halves it: near a multiple root, or a pole.
         low = right;
         f_low = f_right;
-        float t = left, f_t = 0.0, side = f_left < 0.0 ? -1.0 : 1.0;
+        REAL t = left, f_t = 0.0, side = f_left < 0.0 ? -1.0 : 1.0;
         bool halve = false, descend = !POLYNOMIAL && !crosses;
-        float shallow = 0.0;
+        REAL shallow = 0.0;
         if (descend) {
             left = dip_left.x;
             f_left = dip_left.y;
@@ -158,7 +161,7 @@ void main() {
             shallow = min(abs(f_left), abs(dip_right.y));
         }
         for (int i = 0; i < 64 && (crosses || (!POLYNOMIAL && descend && i < 24)); ++i) {
-            float before = right - left;
+            REAL before = right - left;
             t = halve ? left + 0.5 * before : (left * f_right - right * f_left) / (f_right - f_left);
             bool on_the_left = dip.x - left > right - dip.x;
             if (!POLYNOMIAL && descend) t = 0.5 * (dip.x + (on_the_left ? left : right));
@@ -181,10 +184,10 @@ void main() {
                     left = lower ? dip.x : t;
                     f_left = lower ? dip.y : f_t;
                 }
-                if (lower) dip = vec2(t, f_t);
+                if (lower) dip = REAL2(t, f_t);
                 continue;
             }
-            bool done = f_t == 0.0 || abs(t - right) < 2e-7 * (to - from);
+            bool done = f_t == 0.0 || abs(t - right) < CLOSE * (to - from);
             if (f_t < 0.0 != f_right < 0.0) {
                 left = right;
                 f_left = f_right;
@@ -200,29 +203,29 @@ void main() {
             t = dip.x;
             f_t = abs(dip.y) < 0.05 * shallow ? 0.0 : LARGEST;
         }
-        vec3 p = o + t * d;
-        vec3 n = gradient(p);
+        REAL3 p = o + t * d;
+        REAL3 n = gradient(p);
         // At a pole f changes its sign as well, but grows towards it; at a jump it stays farther from 0 than its slope
         // explains; and where it has no value there is no surface.
-        float explained = 2e-5 * (to - from) * abs(dot(n, d)) + 4.0 * ROUNDING * f_end;
+        REAL explained = 100.0 * CLOSE * (to - from) * abs(dot(n, d)) + 4.0 * ROUNDING * f_end;
         if (!POLYNOMIAL && (!(abs(f_t) <= max(2.0 * f_small, 1e-4 * f_end)) || abs(f_t) > explained || !is_defined(p))) {
             width = min(narrowest, to - low);
             fresh = true;
-            before_low = vec2(0.0);
+            before_low = REAL2(0.0);
             if (low >= to - 0.5 * narrowest) return;
             continue;
         }
         // Where f only touches zero, as a square does, its gradient may be but rounding: a point nearer to the eye has one.
-        if ((!crosses && length(n) * length(d) * narrowest < 4.0 * ROUNDING * f_most) || n == vec3(0.0))
+        if ((!crosses && length(n) * length(d) * narrowest < 4.0 * ROUNDING * f_most) || n == REAL3(0.0))
             n = gradient(p - 4.0 * narrowest * d);
         // At a kink, as |g| has, rounding says which side's gradient it is.
         if (!crosses && side * dot(n, d) > 0.0) n = -n;
         // Divided first by the largest: squares of floats overflow soon.
-        float size = max(abs(n.x), max(abs(n.y), abs(n.z)));
-        n = size > 1e-30 ? normalize(n / size) : vec3(0.0);
+        REAL size = max(abs(n.x), max(abs(n.y), abs(n.z)));
+        n = size > TINY ? normalize(n / size) : REAL3(0.0);
         // Seen from where f > 0 it faces the eye; where it is seen edge-on, rounding must not turn it over.
         n -= max(side * dot(n, d), 0.0) * side / dot(d, d) * d;
-        hit = vec4(n, to_nearest + t);
+        hit = vec4(vec3(n), float(to_nearest + t));
         return;
     }
 }

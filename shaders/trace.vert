@@ -3,6 +3,7 @@ layout(location = 0) in vec2 corner;  // in clip space; of a tile: from (0, 0) t
 
 uniform mat4 space_from_clip;  // object space to trace in, world space to light in
 uniform vec3 eye;              // in that space
+uniform float ray_depth;       // in clip space, where each ray is looked up
 uniform vec2 shift;            // from the pixel's centre to one of its samples, in clip space
 uniform vec2 tile;             // a tile's size in clip space; 0: the whole pane
 uniform sampler2D tiles;       // what tiles.frag wrote
@@ -19,7 +20,7 @@ void main() {
         drawn = texelFetch(tiles, place, 0).r > least;
         at = min((vec2(place) + corner) * tile - 1.0, 1.0);
     }
-    vec4 far = space_from_clip * vec4(at + shift, 1.0, 1.0);
+    vec4 far = space_from_clip * vec4(at + shift, ray_depth, 1.0);
     ray = far.xyz / far.w - eye;
     gl_Position = drawn ? vec4(at, 0.0, 1.0) : vec4(2.0, 2.0, 0.0, 1.0);
 }

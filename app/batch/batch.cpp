@@ -2,13 +2,11 @@
 
 #include "batch/cancel.h"
 #include "batch/jobs.h"
+#include "core/base/beside.h"
 
-#include <condition_variable>
+#include <algorithm>
 #include <deque>
-#include <exception>
-#include <mutex>
-#include <optional>
-#include <thread>
+#include <utility>
 
 namespace normalscope {
 
@@ -16,69 +14,44 @@ namespace {
 
 using Done = std::function<void(std::size_t, std::string)>;
 
-/// A thread that finishes pictures while the next ones are drawn.
+/// Finishes pictures in the background while the next ones are drawn.
 class Finisher {
 public:
-    explicit Finisher(const Done& done) : done_(done), thread_([this] { work(); }) {}
-    ~Finisher() { end(); }
+    explicit Finisher(const Done& done) : done_(done) {}
+    ~Finisher() {
+        try {
+            wait();
+        } catch (...) {  // something else has been thrown already
+        }
+    }
     Finisher(const Finisher&) = delete;
     Finisher& operator=(const Finisher&) = delete;
 
-    /// Waits while several pictures are waiting already: each holds megabytes.
+    /// Waits while several pictures are waiting already: each holds megabytes. Throws what finishing threw.
     void add(std::size_t i, Finish finish) {
-        std::unique_lock lock(mutex_);
-        changed_.wait(lock, [&] { return waiting_.size() < kMostWaiting || failure_; });
-        if (failure_) std::rethrow_exception(failure_);
-        waiting_.push_back({i, std::move(finish)});
-        changed_.notify_all();
+        while (!waiting_.empty() && (waiting_.size() >= kMostWaiting || waiting_.front().text.ready())) take_first();
+        waiting_.push_back({i, beside(std::move(finish))});
     }
     /// Until all is finished. Throws what finishing threw.
     void wait() {
-        end();
-        if (failure_) std::rethrow_exception(failure_);
+        while (!waiting_.empty()) take_first();
     }
 
 private:
     static constexpr std::size_t kMostWaiting = 3;
     struct Task {
         std::size_t i;
-        Finish finish;
+        Beside<std::string> text;
     };
 
-    void end() {
-        {
-            const std::scoped_lock lock(mutex_);
-            ended_ = true;
-            changed_.notify_all();
-        }
-        if (thread_.joinable()) thread_.join();
-    }
-    std::optional<Task> next() {
-        std::unique_lock lock(mutex_);
-        changed_.wait(lock, [&] { return !waiting_.empty() || ended_; });
-        if (waiting_.empty()) return std::nullopt;
-        Task task = std::move(waiting_.front());
+    void take_first() {
+        Task first = std::move(waiting_.front());
         waiting_.pop_front();
-        changed_.notify_all();
-        return task;
-    }
-    void work() {
-        try {
-            while (const std::optional<Task> task = next()) done_(task->i, task->finish());
-        } catch (...) {
-            const std::scoped_lock lock(mutex_);
-            failure_ = std::current_exception();
-            changed_.notify_all();
-        }
+        done_(first.i, first.text.get());
     }
 
     const Done& done_;
-    std::mutex mutex_;
-    std::condition_variable changed_;
     std::deque<Task> waiting_;
-    bool ended_ = false;
-    std::exception_ptr failure_;
-    std::thread thread_;  // last: it uses all of the above
 };
 
 // Every step-th picture from `first` on.
@@ -92,13 +65,14 @@ void draw_share(const Batch& batch, std::size_t first, std::size_t step, const D
 }  // namespace
 
 bool run_batch(const Batch& batch) {
-    const auto jobs = std::min(static_cast<std::size_t>(std::max(batch.jobs, 1)), batch.count);
+    if (batch.count == 0) return true;
+    const std::size_t jobs = std::clamp<std::size_t>(batch.jobs, 1, batch.count);
     std::size_t finished = 0;
     const Done done = [&](std::size_t i, std::string text) {
         ++finished;
         batch.done(i, std::move(text));
     };
-    if (jobs <= 1)
+    if (jobs == 1 && !batch.apart)
         draw_share(batch, 0, 1, done);
     else
         run_jobs(jobs, [&](std::size_t job, const Done& tell) { draw_share(batch, job, jobs, tell); }, done);

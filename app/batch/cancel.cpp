@@ -21,8 +21,14 @@ void handle(void (*handler)(int), int flags) {
 }  // namespace
 
 // SA_RESTART: a write that a signal interrupts goes on.
-CancelOnSignal::CancelOnSignal() { handle(on_signal, static_cast<int>(SA_RESTART | SA_RESETHAND)); }
-CancelOnSignal::~CancelOnSignal() { handle(SIG_DFL, 0); }
+CancelOnSignal::CancelOnSignal() {
+    handle(on_signal, static_cast<int>(SA_RESTART | SA_RESETHAND));
+    std::signal(SIGPIPE, SIG_IGN);
+}
+CancelOnSignal::~CancelOnSignal() {
+    handle(SIG_DFL, 0);
+    std::signal(SIGPIPE, SIG_DFL);
+}
 
 bool CancelOnSignal::asked() { return caught != 0; }
 int CancelOnSignal::exit_code() { return 128 + caught; }

@@ -3,7 +3,8 @@
 namespace normalscope {
 
 /// While one lives, the first Ctrl+C (or SIGTERM) ends nothing by itself: whoever works asks `asked` between two
-/// pictures, and leaves whole files behind. A second one ends the program at once.
+/// pictures, and leaves whole files behind. A second one ends the program at once. And where nobody reads standard output
+/// any more, that is an error of writing, and ends nothing.
 class CancelOnSignal {
 public:
     CancelOnSignal();

@@ -1,7 +1,9 @@
 #include "batch/jobs.h"
 
 #include "batch/cancel.h"
+#include "core/base/beside.h"
 #include "core/base/error.h"
+#include "core/base/utf8.h"
 
 #include <poll.h>
 #include <sys/wait.h>
@@ -13,11 +15,11 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <new>
+#include <optional>
 #include <string_view>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -61,10 +63,14 @@ void send(int pipe, std::uint64_t i, std::string_view text) {
         send(pipe, kUsageError, e.what());
     } catch (const ContextError& e) {
         send(pipe, kContextError, e.what());
+    } catch (const std::bad_alloc&) {
+        send(pipe, kInputError, kOutOfMemory);
     } catch (const std::exception& e) {
         send(pipe, kInputError, e.what());
     }
-    ::_exit(0);  // what this process took over from its parent is the parent's to tidy up
+    // What this process took over from its parent is the parent's to tidy up. Who is told to end before all is done has
+    // not ended well, unless the parent has been told, too.
+    ::_exit(CancelOnSignal::asked() ? 1 : 0);
 }
 
 /// A job as its parent sees it.
@@ -72,7 +78,7 @@ struct Job {
     pid_t process = -1;
     int pipe = -1;
     std::string received;
-    bool ended_well = true;
+    std::string died;  ///< how, where it did not end well
 
     // False once there is no more to come.
     bool receive() {
@@ -83,94 +89,107 @@ struct Job {
         received.append(bytes.data(), static_cast<std::size_t>(got));
         return true;
     }
+    // Each message is taken before it is looked at, since what it says may be thrown.
+    std::optional<std::pair<std::uint64_t, std::string>> next() {
+        Header header;
+        if (received.size() < sizeof header) return std::nullopt;
+        std::memcpy(&header, received.data(), sizeof header);
+        if (received.size() - sizeof header < header.length) return std::nullopt;
+        std::string text = received.substr(sizeof header, header.length);
+        received.erase(0, sizeof header + header.length);
+        return std::pair{header.i, std::move(text)};
+    }
     void end() {
         ::close(pipe);
         pipe = -1;
         int status = 0;
         while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
         }
-        ended_well = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+        if (WIFSIGNALED(status))
+            died = std::string("was ended by a signal (") + ::strsignal(WTERMSIG(status)) + ")";
+        else if (WEXITSTATUS(status) != 0)
+            died = "ended";
     }
 };
 
-void tell_received(Job& job, const Tell& told) {
-    Header header;
-    std::size_t at = 0;
-    while (job.received.size() - at >= sizeof header) {
-        std::memcpy(&header, job.received.data() + at, sizeof header);
-        if (job.received.size() - at - sizeof header < header.length) break;
-        std::string text = job.received.substr(at + sizeof header, header.length);
-        at += sizeof header + header.length;
-        if (header.i >= kInputError) rethrow(header.i, text);
-        told(header.i, std::move(text));
+/// All jobs of one run_jobs. Each draws until it has ended, whatever becomes of the others' errors.
+class Jobs {
+public:
+    Jobs(std::size_t count, const std::function<void(std::size_t job, const Tell& tell)>& work) {
+        for (std::size_t j = 0; j < count && start(j, work); ++j) {
+        }
+        if (jobs_.size() == count) return;
+        note(InputError("--jobs " + std::to_string(count) + ": no more than " + std::to_string(jobs_.size()) +
+                        " processes could be started"));
+        stop();  // they get on with their share, but it will not be whole
     }
-    job.received.erase(0, at);
-}
 
-// Where each job draws with as many threads as there are processors, they are only in each other's way.
-void share_processors(std::size_t jobs) {
-    const std::size_t each = std::max<std::size_t>(1, std::thread::hardware_concurrency() / jobs);
-    ::setenv("LP_NUM_THREADS", std::to_string(each).c_str(), 0);
-}
+    /// Until all have ended. Throws the first error that there was.
+    void listen(const Tell& told) {
+        while (std::ranges::any_of(jobs_, [](const Job& job) { return job.pipe >= 0; })) {
+            std::vector<pollfd> pipes;
+            for (const Job& job : jobs_) pipes.push_back({job.pipe, POLLIN, 0});  // poll passes over those at -1
+            const int ready = ::poll(pipes.data(), pipes.size(), 200);
+            if (CancelOnSignal::asked()) stop();
+            for (std::size_t j = 0; ready > 0 && j < jobs_.size(); ++j)
+                if (pipes[j].revents != 0) listen_to(jobs_[j], told);
+        }
+        if (failure_) std::rethrow_exception(failure_);
+    }
 
-}  // namespace
-
-void run_jobs(std::size_t count, const std::function<void(std::size_t job, const Tell& tell)>& work, const Tell& told) {
-    share_processors(count);
-    std::fflush(nullptr);  // or each job would write what waits in the buffers once more
-    std::vector<Job> jobs(count);
-    for (std::size_t j = 0; j < count; ++j) {
+private:
+    bool start(std::size_t j, const std::function<void(std::size_t job, const Tell& tell)>& work) {
         std::array<int, 2> ends{};
-        if (::pipe(ends.data()) != 0) throw InputError("--jobs: no pipe: " + std::string(std::strerror(errno)));
-        jobs[j].process = ::fork();
-        if (jobs[j].process == 0) {
-            for (const Job& other : jobs)
-                if (other.pipe >= 0) ::close(other.pipe);
+        if (::pipe(ends.data()) != 0) return false;
+        const pid_t process = ::fork();
+        if (process == 0) {
+            for (const Job& other : jobs_) ::close(other.pipe);
             ::close(ends[0]);
             be_a_job(j, ends[1], work);
         }
         ::close(ends[1]);
-        jobs[j].pipe = ends[0];
-        if (jobs[j].process < 0) {
+        if (process < 0)
             ::close(ends[0]);
-            jobs.resize(j);  // those that there are get on with their share, but it will not be whole
-            break;
-        }
+        else
+            jobs_.push_back({.process = process, .pipe = ends[0], .received = {}, .died = {}});
+        return process > 0;
     }
 
-    std::exception_ptr failure;
-    bool stopping = false;
-    const auto stop = [&] {
-        if (!std::exchange(stopping, true))
-            for (const Job& job : jobs)
-                if (job.pipe >= 0) ::kill(job.process, SIGTERM);
-    };
-    if (jobs.size() < count) {
-        failure = std::make_exception_ptr(InputError("--jobs " + std::to_string(count) + ": no more than " +
-                                                     std::to_string(jobs.size()) + " processes could be started"));
-        stop();
-    }
-    while (std::ranges::any_of(jobs, [](const Job& job) { return job.pipe >= 0; })) {
-        std::vector<pollfd> pipes;
-        for (const Job& job : jobs) pipes.push_back({job.pipe, POLLIN, 0});  // poll passes over those at -1
-        const int ready = ::poll(pipes.data(), pipes.size(), 200);
-        if (CancelOnSignal::asked()) stop();
-        for (std::size_t j = 0; ready > 0 && j < jobs.size(); ++j) {
-            if (pipes[j].revents == 0) continue;
-            try {
-                const bool more = jobs[j].receive();
-                if (!failure) tell_received(jobs[j], told);
-                if (more) continue;
-                jobs[j].end();
-                if (!jobs[j].ended_well && !stopping)
-                    throw InputError("--jobs: a process ended before its pictures were drawn; is there enough memory?");
+    void listen_to(Job& job, const Tell& told) {
+        const bool more = job.receive();
+        while (auto message = job.next()) try {
+                if (message->first >= kInputError) rethrow(message->first, message->second);
+                told(message->first, std::move(message->second));
             } catch (...) {
-                if (!failure) failure = std::current_exception();
+                if (!failure_) failure_ = std::current_exception();
                 stop();
             }
-        }
+        if (more) return;
+        job.end();
+        if (job.died.empty() || stopping_ || CancelOnSignal::asked()) return;
+        note(InputError("a process that draws " + job.died + " before it was done; is there enough memory?"));
+        stop();
     }
-    if (failure) std::rethrow_exception(failure);
+
+    void note(const InputError& error) {
+        if (!failure_) failure_ = std::make_exception_ptr(error);
+    }
+    void stop() {
+        if (!std::exchange(stopping_, true))
+            for (const Job& job : jobs_)
+                if (job.pipe >= 0) ::kill(job.process, SIGTERM);
+    }
+
+    std::vector<Job> jobs_;
+    std::exception_ptr failure_;
+    bool stopping_ = false;
+};
+
+}  // namespace
+
+void run_jobs(std::size_t count, const std::function<void(std::size_t job, const Tell& tell)>& work, const Tell& told) {
+    std::fflush(nullptr);  // or each job would write what waits in the buffers once more
+    Jobs(count, work).listen(told);
 }
 
 }  // namespace normalscope

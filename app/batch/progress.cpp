@@ -11,8 +11,12 @@ namespace normalscope {
 Progress::Progress(std::size_t total, std::string what)
     : total_(total), what_(std::move(what)), terminal_(::isatty(STDERR_FILENO) != 0) {}
 
-Progress::~Progress() {
-    if (terminal_ && shown_ != began_) std::fputs("\r\x1b[K", stderr);  // the bar gives way to the result
+Progress::~Progress() { hide(); }
+
+void Progress::hide() {
+    if (!terminal_ || shown_ == began_) return;
+    std::fputs("\r\x1b[K", stderr);
+    std::fflush(stderr);
 }
 
 std::string Progress::remaining() const {

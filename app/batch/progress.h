@@ -17,6 +17,8 @@ public:
 
     void step() { reach(done_ + 1); }
     void reach(std::size_t done);
+    /// Takes the bar away, until the next step, before something else is printed.
+    void hide();
 
 private:
     using Clock = std::chrono::steady_clock;

@@ -7,11 +7,11 @@
 #include "core/image/png.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
@@ -19,7 +19,6 @@
 #include <optional>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace normalscope {
@@ -32,7 +31,7 @@ std::optional<fs::path> find_ffmpeg() {
     const char* path = std::getenv("PATH");
     std::istringstream folders(path ? path : "/usr/local/bin:/usr/bin:/bin");
     for (std::string folder; std::getline(folders, folder, ':');) {
-        const fs::path program = fs::path(folder) / "ffmpeg";
+        fs::path program = fs::path(folder) / "ffmpeg";
         if (::access(program.c_str(), X_OK) == 0) return program;
     }
     return std::nullopt;
@@ -46,7 +45,11 @@ bool is_full(const fs::path& folder) {
 
 // Half as many pixels of colour as of brightness is all that most players show; hence even sides.
 std::vector<std::string> format_options(const fs::path& video) {
-    std::vector<std::string> options{"-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p"};
+    std::vector<std::string> options{
+        "-vf",      "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+        "-pix_fmt", "yuv420p",
+        "-fflags",  "+bitexact",  // no random number, date or version: the same bytes each time
+        "-flags:v", "+bitexact"};
     if (video.extension() == ".webm")
         options.insert(options.end(), {"-crf", "24", "-b:v", "0", "-f", "webm"});
     else
@@ -63,6 +66,7 @@ pid_t start(const std::vector<std::string>& command, const fs::path& log) {
         ::setpgid(0, 0);  // Ctrl+C goes to this program alone, which then ends the other one
         const int nothing = ::open("/dev/null", O_RDONLY),
                   out = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        if (nothing < 0 || out < 0) ::_exit(127);
         ::dup2(nothing, STDIN_FILENO);
         ::dup2(out, STDOUT_FILENO);
         ::dup2(out, STDERR_FILENO);
@@ -91,7 +95,7 @@ private:
 // Its exit status, or nothing where it was cancelled; what it writes goes to `log`.
 std::optional<int> run(std::vector<std::string> command, const fs::path& log, Progress& progress) {
     const fs::path report = fs::path(log).replace_extension("progress");
-    std::ofstream{report};
+    write_file(report, "");  // so that it can be opened before there is anything in it
     command.insert(command.begin() + 1, {"-nostats", "-progress", report.string()});
     Taken taken(report);
     const pid_t process = start(command, log);
@@ -107,7 +111,7 @@ std::optional<int> run(std::vector<std::string> command, const fs::path& log, Pr
             return std::nullopt;
         }
         progress.reach(taken.now());
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        ::poll(nullptr, 0, 20);
     }
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
@@ -130,9 +134,7 @@ void write_frame(const fs::path& file, const Image& image, const fs::path& video
     try {
         write_png(file, image);
     } catch (const InputError& e) {
-        std::string line = e.what();
-        if (line.starts_with(file.string())) line.replace(0, file.string().size(), video.string());
-        throw InputError(line);
+        throw InputError(video.string(), e.reason);
     }
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
 #include "core/base/context_choice.h"
+#include "core/base/output.h"
 #include "core/explain/explain_format.h"
 #include "core/image/ground.h"
 #include "core/image/image_difference.h"
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
 #include "core/scene/variation.h"
 
 #include <glm/vec2.hpp>
@@ -39,16 +40,19 @@ struct PictureArguments {
 
 /// `normalscope capture [FILE] -o OUT.png`, or OUT.svg
 struct CaptureCommand : PictureArguments {
-    std::filesystem::path output;
-    std::optional<std::filesystem::path> numbers, expected;
+    Output output;
+    std::optional<Output> numbers;
+    std::optional<std::filesystem::path> expected;
     Tolerance tolerance;  ///< with `expected`
+    bool fail_on_note = false;
 };
 
 /// `normalscope sweep [FILE] --vary PATH=FROM:TO[:COUNT] -o OUT`
 struct SweepCommand : PictureArguments {
     std::vector<Variation> variations;  ///< one or two
     std::string output;                 ///< a video's name, or a picture's with one or two places for a number
-    std::optional<std::filesystem::path> sheet, numbers;
+    std::optional<Output> sheet, numbers;
+    bool fail_on_note = false;
     int jobs = 1;
     int frames_per_second = 25;
 };
@@ -69,7 +73,7 @@ struct LessonsCommand {};
 /// `normalscope handout LESSON -o OUT.html`
 struct HandoutCommand {
     std::string lesson;
-    std::filesystem::path output;
+    Output output;
     glm::ivec2 size{960, 600};
     ContextChoice context = ContextChoice::Auto;
 };
@@ -88,7 +92,7 @@ struct CompareCommand {
     std::filesystem::path actual, expected;
     Tolerance tolerance;
     bool json = false;
-    std::optional<std::filesystem::path> diff;
+    std::optional<Output> diff;
 };
 
 /// `normalscope check MANIFEST.json`
@@ -96,7 +100,9 @@ struct CheckCommand {
     std::filesystem::path manifest;
     std::filesystem::path results{"check-results"};  ///< a folder for the pictures of what does not pass
     std::optional<std::filesystem::path> junit, report;
-    std::string only;  ///< run those whose name has this in it
+    std::string only;                   ///< run those whose name has this in it
+    std::size_t shard = 1, shards = 1;  ///< of those, every shards-th from this one on, counted from 1
+    bool fail_on_note = false;
     bool update = false;
     ContextChoice context = ContextChoice::Auto;
     int jobs = 1;

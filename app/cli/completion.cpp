@@ -1,6 +1,9 @@
 #include "cli/declare.h"
 #include "cli/help.h"
+#include "core/base/text.h"
+#include "core/lessons/tabs.h"
 
+#include <initializer_list>
 #include <string_view>
 #include <utility>
 
@@ -20,11 +23,12 @@ Values values_of(const CLI::Option& option) {
     if (word.empty()) return {};
     if (word == "FOLDER") return {Kind::Folder, ""};
     // A test holds these against what an unknown word is answered with.
-    for (const auto& [name, words] : {std::pair{"context", "auto osmesa egl"},
-                                      {"ground", "scene white transparent"},
-                                      {"format", "text json latex"},
-                                      {"tab", "derivation stack maps error ray"},
-                                      {"samples", "1 2 4"}})
+    for (const auto& [name, words] :
+         std::initializer_list<std::pair<const char*, std::string>>{{"context", "auto osmesa egl"},
+                                                                    {"ground", "scene white transparent"},
+                                                                    {"format", "text json latex"},
+                                                                    {"tab", joined(tab_names(), " ")},
+                                                                    {"samples", "1 2 4"}})
         if (option.check_lname(name)) return {Kind::Words, words};
     return {word.find("OUT") != std::string::npos || word.ends_with(".png") ? Kind::File : Kind::Anything, ""};
 }

@@ -1,6 +1,9 @@
 #include "cli/declare.h"
 
 #include "cli/values.h"
+#include "core/base/text.h"
+#include "core/lessons/tabs.h"
+#include "core/mesh/mesh_file.h"
 
 #include <config.h>
 
@@ -34,9 +37,9 @@ CLI::Option& add(CLI::App& app, const std::string& name, std::string& value, con
 
 CLI::Option& add_file(CLI::App& app, std::string& value) {
     return add(app, "FILE", value, "",
-               "A scene (.json), a mesh (.obj, .ply, .stl), a link (normalscope:…), a lesson or its n-th step "
-               "(NAME#n), or the "
-               "name of a built-in scene (see normalscope scenes, normalscope lessons)");
+               "A scene (.json), a mesh (" + mesh_endings_in_words() +
+                   "), a link (normalscope:…), a lesson or its n-th step (NAME#n), the name of a built-in scene (see "
+                   "normalscope scenes, normalscope lessons), or - for standard input");
 }
 
 CLI::Option& add_list(CLI::App& app, const std::string& name, std::vector<std::string>& value, const std::string& word,
@@ -61,6 +64,13 @@ void add_context(CLI::App& app, std::string& value) {
 void add_jobs(CLI::App& app, std::string& value) { add(app, "--jobs", value, "N", "Processes that draw at once"); }
 int parse_jobs(const std::string& text) { return parse_count("--jobs", text, 256); }
 
+void add_fail_on_note(CLI::App& app, bool& value) {
+    app.add_flag(
+        "--fail-on-note", value,
+        "Exit code 1 where there is something to note, such as normals that a mesh lacks or a part of a surface "
+        "that is not drawn");
+}
+
 void GivenPicture::add_to(CLI::App& app, PictureArguments& arguments) {
     add(app, "--size", size, "WIDTHxHEIGHT", "In pixels");
     add(app, "--samples", samples, "N", "Samples a pixel, against jagged edges: 1, 2 or 4");
@@ -70,7 +80,7 @@ void GivenPicture::add_to(CLI::App& app, PictureArguments& arguments) {
     add_context(app, context);
     app.add_flag("--panel", arguments.panel, "Draw the interface too");
     add(app, "--tab", arguments.tab, "NAME",
-        "Draw the interface, with a tab open beside the picture: derivation, stack, maps, error or ray");
+        "Draw the interface, with a tab open beside the picture: " + alternatives(tab_names()));
     app.add_flag("--captions", arguments.captions, "Draw what a lesson's step says below the picture: with NAME#n");
     add_settings(app, arguments.settings);
 }

@@ -39,6 +39,7 @@ void add_settings(CLI::App& app, std::vector<std::string>& value);
 void add_context(CLI::App& app, std::string& value);
 void add_jobs(CLI::App& app, std::string& value);
 int parse_jobs(const std::string& text);
+void add_fail_on_note(CLI::App& app, bool& value);
 
 /// The options of PictureArguments, but for the file.
 struct GivenPicture {

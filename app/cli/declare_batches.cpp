@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 
 #include <memory>
+#include <tuple>
 
 namespace normalscope {
 
@@ -37,6 +38,7 @@ Declared declare_sweep(CLI::App& root) {
     given->picture.add_to(app, given->command);
     CLI::Option& numbers = add(app, "--numbers", given->numbers, "OUT.json",
                                "Write what each picture means, as an array in their order; - is standard output");
+    add_fail_on_note(app, given->command.fail_on_note);
     add_jobs(app, given->jobs);
     add(app, "--fps", given->fps, "N", "Pictures a second in a video");
     return {&app, [given, &sheet, &numbers] {
@@ -47,7 +49,7 @@ Declared declare_sweep(CLI::App& root) {
                     command.variations.push_back(parse_variation(text, given->vary.size() == 1 ? 25 : 5));
                 std::size_t pictures = 1;
                 for (const Variation& v : command.variations) pictures *= v.values.size();
-                command.output = parse_numbered_output("--output", given->output, pictures, given->vary.size() == 2);
+                command.output = parse_numbered_output("--output", given->output, pictures, given->vary.size());
                 if (sheet.count() > 0) command.sheet = parse_output("--sheet", given->sheet);
                 if (numbers.count() > 0) command.numbers = parse_output("--numbers", given->numbers);
                 command.jobs = parse_jobs(given->jobs);
@@ -87,7 +89,7 @@ Declared declare_compare(CLI::App& root) {
 Declared declare_check(CLI::App& root) {
     struct Given {
         CheckCommand command;
-        std::string manifest, results = command.results.string(), junit, report, context = "auto",
+        std::string manifest, results = command.results.string(), junit, report, shard, context = "auto",
                               jobs = std::to_string(command.jobs);
     };
     const auto given = std::make_shared<Given>();
@@ -96,6 +98,7 @@ Declared declare_check(CLI::App& root) {
     set_up(app,
            "  normalscope check checks.json\n"
            "  normalscope check checks.json --junit junit.xml --report report.html\n"
+           "  normalscope check checks.json --shard 2/5\n"
            "  normalscope check checks.json --update --only wing");
     add(app, "MANIFEST", given->manifest, "", "Scenes with their references, tolerances and numbers (.json)")
         .required();
@@ -106,16 +109,21 @@ Declared declare_check(CLI::App& root) {
         add(app, "--report", given->report, "OUT.html",
             "Write a page to look at: pictures with a slider, filters, numbers; one file, all within");
     add(app, "--only", given->command.only, "TEXT", "Only checks with this in their name");
+    CLI::Option& shard = add(app, "--shard", given->shard, "K/N",
+                             "Only every N-th check from the K-th on, so that N runs share the work: 1/5 to 5/5");
+    add_fail_on_note(app, given->command.fail_on_note);
     app.add_flag("--update", given->command.update,
                  "Then make what was drawn the reference where it differs; on a terminal, once you have said yes");
     add_context(app, given->context);
     add_jobs(app, given->jobs);
-    return {&app, [given, &junit, &report] {
+    return {&app, [given, &junit, &report, &shard] {
                 CheckCommand command = given->command;
                 command.manifest = given->manifest;
+                if (given->results.empty()) throw UsageError("--results: its folder's name is empty");
                 command.results = given->results;
-                if (junit.count() > 0) command.junit = given->junit;
-                if (report.count() > 0) command.report = given->report;
+                if (junit.count() > 0) command.junit = parse_file_output("--junit", given->junit);
+                if (report.count() > 0) command.report = parse_file_output("--report", given->report);
+                if (shard.count() > 0) std::tie(command.shard, command.shards) = parse_shard("--shard", given->shard);
                 command.context = parse_context("--context", given->context);
                 command.jobs = parse_jobs(given->jobs);
                 return command;

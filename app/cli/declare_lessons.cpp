@@ -65,7 +65,7 @@ Declared declare_animate(CLI::App& root) {
     add_context(app, given->context);
     return {&app, [given] {
                 AnimateCommand command = given->command;
-                command.output = parse_numbered_output("--output", given->output, 2, false);
+                command.output = parse_numbered_output("--output", given->output, 2, 1);
                 command.size = parse_size("--size", given->size);
                 command.context = parse_context("--context", given->context);
                 command.frames_per_second = parse_count("--fps", given->fps, 60);

@@ -5,6 +5,7 @@
 #include "cli/nearest.h"
 #include "cli/values.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 
 #include <CLI/CLI.hpp>
 
@@ -63,32 +64,33 @@ Declared declare_capture(CLI::App& root) {
                                 "Compare with an earlier picture: exit code 1 if they differ, and then leave "
                                 "OUT.expected.png and OUT.difference.png beside OUT.png");
     given->tolerance.add_to(app);
-    return {
-        &app, [given, &app, &numbers, &expected] {
-            CaptureCommand command = given->command;
-            given->picture.read_into(command);
-            command.output = parse_picture_output("--output", given->output);
-            if (command.output.extension() == ".svg" && (expected.count() > 0 || command.panel || !command.tab.empty()))
-                throw UsageError("--output " + given->output +
-                                 ": --expect, --panel and --tab are for pixels; end the name in .png");
-            if (numbers.count() > 0) command.numbers = parse_output("--numbers", given->numbers);
-            if (command.numbers == command.output)
-                throw UsageError("--numbers " + given->numbers +
-                                 ": the picture goes there already; write one of them elsewhere");
-            if (expected.count() > 0) {
-                command.expected = given->expected;
-                if (command.output == "/dev/stdout")
-                    throw UsageError("--expect " + given->expected +
-                                     ": needs a file for --output, beside which to leave a difference");
-                if (command.numbers == "/dev/stdout")
-                    throw UsageError("--expect " + given->expected +
-                                     ": its result goes to standard output; write --numbers to a file");
-            } else if (given->tolerance.given(app)) {
-                throw UsageError("--tolerance, --share, --perceptual: they go with --expect, which is missing");
-            }
-            command.tolerance = given->tolerance.read();
-            return command;
-        }};
+    add_fail_on_note(app, given->command.fail_on_note);
+    return {&app, [given, &app, &numbers, &expected] {
+                CaptureCommand command = given->command;
+                given->picture.read_into(command);
+                command.output = parse_picture_output("--output", given->output);
+                if (command.output.file.extension() == ".svg" &&
+                    (expected.count() > 0 || command.panel || !command.tab.empty()))
+                    throw UsageError("--output " + given->output +
+                                     ": --expect, --panel and --tab are for pixels; end the name in .png");
+                if (numbers.count() > 0) command.numbers = parse_output("--numbers", given->numbers);
+                if (command.numbers && command.numbers->is_standard() && command.output.is_standard())
+                    throw UsageError("--numbers " + given->numbers +
+                                     ": the picture goes there already; write one of them elsewhere");
+                if (expected.count() > 0) {
+                    command.expected = given->expected;
+                    if (command.output.is_standard())
+                        throw UsageError("--expect " + given->expected +
+                                         ": needs a file for --output, beside which to leave a difference");
+                    if (command.numbers && command.numbers->is_standard())
+                        throw UsageError("--expect " + given->expected +
+                                         ": its result goes to standard output; write --numbers to a file");
+                } else if (given->tolerance.given(app)) {
+                    throw UsageError("--tolerance, --share, --perceptual: they go with --expect, which is missing");
+                }
+                command.tolerance = given->tolerance.read();
+                return command;
+            }};
 }
 
 Declared declare_explain(CLI::App& root) {
@@ -123,12 +125,6 @@ Declared declare_scenes(CLI::App& root) {
 }
 
 // ---- What is wrong with a command line ---------------------------------------------------------------------------
-
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-    return text;
-}
 
 std::vector<std::string> command_names(const CLI::App& root) {
     std::vector<std::string> names;

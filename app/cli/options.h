@@ -4,7 +4,7 @@
 
 namespace normalscope {
 
-/// Throws UsageError. An output named "-" comes back as /dev/stdout.
+/// Throws UsageError.
 Command parse_command_line(int argc, const char* const* argv);
 
 }  // namespace normalscope

@@ -1,5 +1,6 @@
 #include "cli/values.h"
 
+#include "core/base/decimal.h"
 #include "core/base/error.h"
 #include "core/image/image.h"
 
@@ -16,7 +17,7 @@ namespace normalscope {
 namespace {
 
 [[noreturn]] void fail(const std::string& option, const std::string& text, const std::string& why) {
-    throw UsageError(option + " " + text + ": " + why);
+    throw UsageError(option + " " + text, why);
 }
 
 // The whole of the text, or nothing: no sign, no space, nothing after.
@@ -50,11 +51,9 @@ int parse_samples(const std::string& option, const std::string& text) {
 }
 
 float parse_scale(const std::string& option, const std::string& text) {
-    float value = 0.0f;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !(value >= 0.5f && value <= 8.0f))
-        fail(option, text, "expected a number from 0.5 to 8, such as 1.5");
-    return value;
+    const std::optional<double> value = decimal(text);
+    if (!value || !(*value >= 0.5 && *value <= 8.0)) fail(option, text, "expected a number from 0.5 to 8, such as 1.5");
+    return static_cast<float>(*value);
 }
 
 Ground parse_ground(const std::string& option, const std::string& text) {
@@ -84,11 +83,9 @@ int parse_tolerance(const std::string& option, const std::string& text) {
 }
 
 double parse_share(const std::string& option, const std::string& text) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !(value >= 0.0 && value <= 1.0))
-        fail(option, text, "expected a number from 0 to 1, such as 0.001");
-    return value;
+    const std::optional<double> value = decimal(text);
+    if (!value || !(*value >= 0.0 && *value <= 1.0)) fail(option, text, "expected a number from 0 to 1, such as 0.001");
+    return *value;
 }
 
 int parse_count(const std::string& option, const std::string& text, int most) {
@@ -98,7 +95,8 @@ int parse_count(const std::string& option, const std::string& text, int most) {
     return static_cast<int>(*value);
 }
 
-std::string parse_numbered_output(const std::string& option, const std::string& text, std::size_t count, bool grid) {
+std::string parse_numbered_output(const std::string& option, const std::string& text, std::size_t count,
+                                  std::size_t varying) {
     constexpr std::size_t kMostPictures = 100'000;
     if (count > kMostPictures)
         throw UsageError("--vary: that makes " + std::to_string(count) + " pictures; at most " +
@@ -111,33 +109,51 @@ std::string parse_numbered_output(const std::string& option, const std::string& 
     if (like_a_folder || std::filesystem::is_directory(text, ignored))
         return (std::filesystem::path(text) / "frame-%03d.png").string();
 
-    int places = 0;
+    std::size_t places = 0;
     for (std::size_t at = text.find('%'); at != std::string::npos; at = text.find('%', at + 1)) {
         const std::size_t end = text.find_first_not_of("0123456789", at + 1);
         if (end == std::string::npos || text[end] != 'd' || end - at > 3)
             fail(option, text, "what follows % must be a number's width, as in %03d");
         ++places;
     }
-    if (!text.ends_with(".png") || places < 1 || places > (grid ? 2 : 1))
+    if (!text.ends_with(".png") || places < 1 || places > varying)
         fail(option, text,
-             grid ? "expected frame-%03d.png, frame-%d-%d.png, a folder, or a .gif, .mp4 or .webm"
-                  : "expected a place for the number, as in frame-%03d.png, a folder, or a .gif, .mp4 or .webm");
+             varying == 2
+                 ? "expected frame-%03d.png, frame-%d-%d.png, a folder, or a .gif, .mp4 or .webm"
+                 : "expected a place for the number, as in frame-%03d.png, a folder, or a .gif, .mp4 or .webm");
     return text;
 }
 
-std::filesystem::path parse_picture_output(const std::string& option, const std::string& text) {
-    if (text.ends_with(".svg")) return text;
+Output parse_picture_output(const std::string& option, const std::string& text) {
+    if (text.ends_with(".svg")) return {text};
     return parse_output(option, text);
 }
 
-std::filesystem::path parse_output(const std::string& option, const std::string& text) {
+Output parse_output(const std::string& option, const std::string& text) {
     if (text.empty()) throw UsageError(option + ": its file's name is empty; give a name, or - for standard output");
     static constexpr std::array<std::string_view, 10> kOthers{".jpg",  ".jpeg", ".gif", ".bmp", ".tif",
                                                               ".tiff", ".webp", ".svg", ".pdf", ".mp4"};
     for (const std::string_view other : kOthers)
         if (text.ends_with(other))
             throw UsageError(option + " " + text + ": only PNG is written (and by capture SVG); end the name in .png");
-    return text == "-" ? "/dev/stdout" : text;
+    return {text == "-" || text == "/dev/stdout" ? "" : text};
+}
+
+std::filesystem::path parse_file_output(const std::string& option, const std::string& text) {
+    if (text.empty()) throw UsageError(option + ": its file's name is empty");
+    const Output output = parse_output(option, text);
+    if (output.is_standard()) fail(option, text, "the results are printed there already; give a file's name");
+    return output.file;
+}
+
+std::pair<std::size_t, std::size_t> parse_shard(const std::string& option, const std::string& text) {
+    constexpr int kMost = 10'000;
+    const auto slash = text.find('/');
+    const auto k = whole_number(std::string_view(text).substr(0, slash));
+    const auto n = slash == std::string::npos ? std::nullopt : whole_number(std::string_view(text).substr(slash + 1));
+    if (!k || !n || *k < 1 || *k > *n || *n > kMost)
+        fail(option, text, "expected K/N, the K-th of N parts, such as 2/5");
+    return {static_cast<std::size_t>(*k), static_cast<std::size_t>(*n)};
 }
 
 }  // namespace normalscope

@@ -2,6 +2,8 @@
 
 #include "cli/commands.h"
 
+#include <utility>
+
 // Options' values from text. Each throws UsageError with the option, what was given and what is allowed.
 
 namespace normalscope {
@@ -15,11 +17,17 @@ ExplainFormat parse_format(const std::string& option, const std::string& text);
 int parse_tolerance(const std::string& option, const std::string& text);
 double parse_share(const std::string& option, const std::string& text);
 int parse_count(const std::string& option, const std::string& text, int most);
-/// Where `count` pictures go: a video's name, or a picture's with a place for each number; a folder gets frame-%03d.png.
-std::string parse_numbered_output(const std::string& option, const std::string& text, std::size_t count, bool grid);
+/// Where `count` pictures go of which `varying` things vary, one or two: a video's name, or a picture's with a place for one
+/// number, or for one each; a folder gets frame-%03d.png.
+std::string parse_numbered_output(const std::string& option, const std::string& text, std::size_t count,
+                                  std::size_t varying);
 /// A picture's name, which may end in .svg.
-std::filesystem::path parse_picture_output(const std::string& option, const std::string& text);
-/// "-" is standard output.
-std::filesystem::path parse_output(const std::string& option, const std::string& text);
+Output parse_picture_output(const std::string& option, const std::string& text);
+/// "-" is standard output, and so is "/dev/stdout": the stream itself, which a rename would miss.
+Output parse_output(const std::string& option, const std::string& text);
+/// What cannot go to standard output, where results are printed.
+std::filesystem::path parse_file_output(const std::string& option, const std::string& text);
+/// "2/5"
+std::pair<std::size_t, std::size_t> parse_shard(const std::string& option, const std::string& text);
 
 }  // namespace normalscope

@@ -4,12 +4,15 @@
 #include "batch/numbered.h"
 #include "batch/progress.h"
 #include "batch/video.h"
+#include "commands/files_of_run.h"
 #include "commands/studio.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
+#include "core/base/output.h"
 #include "core/base/temporary_folder.h"
 #include "core/image/png.h"
 #include "core/lessons/lesson_player.h"
+#include "core/lessons/open.h"
+#include "platform/crash_line.h"
 
 #include <cmath>
 #include <cstdio>
@@ -57,16 +60,21 @@ int run(const AnimateCommand& command) {
     const auto lesson = std::make_shared<const Lesson>(load_lesson(command.lesson));
     const std::vector<Picture> pictures = pictures_of(*lesson, command.frames_per_second, command.seconds);
 
+    const auto named = [&](std::size_t i) { return video ? fs::path(command.output) : numbered(command.output, i); };
+    FilesOfRun files;
+    for (const LessonStep& step : lesson->steps) files.reads_scene(command.lesson, step.scene);
+    for (std::size_t i = 0; i < (video ? 1 : pictures.size()); ++i)
+        files.writes(named(i), "--output " + named(i).string());
+
     std::optional<TemporaryFolder> frames;
     if (video) frames.emplace(command.output);
-    const auto file = [&](std::size_t i) {
-        return video ? frames->path() / numbered("%06d.png", i) : numbered(command.output, i);
-    };
+    const auto file = [&](std::size_t i) { return video ? frames->path() / numbered("%06d.png", i) : named(i); };
     if (const fs::path folder = file(0).parent_path(); !folder.empty()) {
         std::error_code ignored;  // writing will say what is wrong
         fs::create_directories(folder, ignored);
     }
-    Studio studio(command.context, pictures.size());
+    const CrashLine crash_line;
+    Studio studio({.context = command.context, .pictures = pictures.size()});
     const CancelOnSignal cancel;
     {
         Progress progress(pictures.size());
@@ -89,7 +97,7 @@ int run(const AnimateCommand& command) {
                      video ? "no video was written" : "the pictures that were written are whole");
         return CancelOnSignal::exit_code();
     }
-    write_file("/dev/stdout", std::to_string(pictures.size()) + " pictures: " + command.output + "\n");
+    print(std::to_string(pictures.size()) + " pictures: " + command.output + "\n");
     return 0;
 }
 

@@ -3,13 +3,17 @@
 #include "batch/batch.h"
 #include "batch/cancel.h"
 #include "batch/progress.h"
+#include "commands/evidence.h"
+#include "commands/files_of_run.h"
+#include "commands/judge_check.h"
+#include "commands/junit.h"
 #include "commands/manifest.h"
 #include "commands/report.h"
 #include "commands/scene_arguments.h"
-#include "commands/verdict.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/image/png.h"
+#include "core/base/output.h"
+#include "core/base/utf8.h"
 
 #include <unistd.h>
 
@@ -17,6 +21,7 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <new>
 #include <optional>
 
 namespace normalscope {
@@ -24,169 +29,120 @@ namespace normalscope {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
 
-// Where the picture of a check goes that does not pass; a name may hold what a file's name may not.
-fs::path evidence_file(const CheckCommand& command, const Check& check) {
-    std::string name = check.name;
-    for (char& c : name)
-        if (c == '/' || static_cast<unsigned char>(c) < ' ') c = '-';
-    return command.results / (name + ".png");
-}
-
-void add_line(std::string& lines, const std::string& line) { lines += (lines.empty() ? "" : "; ") + line; }
-
-/// A picture as it was drawn becomes a result. This runs beside the drawing of the next one.
-class Judge {
-public:
-    Judge(const CheckCommand& command, const Check& check, Capture capture)
-        : command_(command), check_(check), actual_(std::move(capture.image)), numbers_(Json::parse(capture.numbers)) {}
-
-    CheckResult judge() {
-        if (check_.reference) judge_picture();
-        for (const std::string& line : wrong_numbers(numbers_, check_.numbers)) {
-            fail(line);
-            result_.numbers_wrong = true;
-        }
-        if (result_.line.empty()) result_.line = "the numbers are as expected";
-        if (result_.state == "pass")
-            remove_old_evidence();
-        else
-            evident([&] { write_png(evidence_file(command_, check_), actual_); });
-        if (command_.report) {
-            details_["pictures"]["actual"] = base64(png_bytes(actual_));
-            details_["numbers"] = numbers_;
-        }
-        result_.name = check_.name;
-        result_.details = details_.dump();
-        return std::move(result_);
-    }
-
-private:
-    void fail(const std::string& line) {
-        if (result_.state == "pass") result_.line.clear();  // what agrees is of no interest any more
-        result_.state = "fail";
-        add_line(result_.line, line);
-    }
-
-    void judge_picture() {
-        std::error_code ignored;
-        if (!fs::exists(*check_.reference, ignored)) {
-            result_.reference_differs = true;
-            return fail("there is no reference " + check_.reference->string() + "; --update writes it");
-        }
-        const Image expected = read_png(*check_.reference);
-        const Verdict verdict = ::normalscope::judge(actual_, expected, check_.tolerance);
-        details_["verdict"] = verdict.json();
-        if (verdict.agree)
-            result_.line = verdict.line();
-        else
-            fail(verdict.line());
-        result_.reference_differs = !verdict.agree;
-        const bool same = verdict.difference && verdict.difference->worst_by == 0;
-        if (command_.report && !same) {
-            details_["pictures"]["expected"] = base64(png_bytes(expected));
-            details_["pictures"]["difference"] = base64(png_bytes(highlighted(verdict, expected)));
-        }
-        if (!verdict.agree)
-            evident([&] {
-                leave_evidence(evidence_file(command_, check_), actual_, *check_.reference, expected, check_.tolerance);
-            });
-    }
-
-    // What is found counts, even where its pictures find no room.
-    template <class Write>
-    void evident(Write&& write) {
-        try {
-            write();
-        } catch (const InputError& e) {
-            fail(e.what());
-        }
-    }
-
-    // The last third of the difference's picture.
-    Image highlighted(const Verdict& verdict, const Image& expected) const {
-        const Image all = difference_picture(actual_, expected, verdict.tolerance);
-        const glm::ivec2 size = glm::max(actual_.size, expected.size);
-        return cropped(all, {all.size.x - size.x, 0}, size);
-    }
-
-    void remove_old_evidence() const {
-        const fs::path actual = evidence_file(command_, check_), reference = check_.reference.value_or(fs::path());
-        remove_evidence(actual, reference);
-        std::error_code ignored;
-        if (!fs::equivalent(actual, reference, ignored)) fs::remove(actual, ignored);
-    }
-
-    const CheckCommand& command_;
-    const Check& check_;
-    Image actual_;
-    Json numbers_;
-    Json details_ = Json::object();
-    CheckResult result_{.state = "pass"};
+/// A check that is to be run: its scene is read before anything is drawn, since nothing may be written over its files.
+struct Chosen {
+    Check check;
+    std::optional<Subject> subject;
+    std::string error;  ///< why there is no scene
 };
 
-// A result as text, since it may come from another process.
-std::string packed(const CheckResult& r) {
-    return Json{{"name", r.name},
-                {"state", r.state},
-                {"line", r.line},
-                {"seconds", r.seconds},
-                {"details", r.details},
-                {"differs", r.reference_differs},
-                {"numbers_wrong", r.numbers_wrong}}
-        .dump(-1, ' ', false, Json::error_handler_t::replace);
-}
-CheckResult unpacked(const std::string& text) {
-    const Json j = Json::parse(text);
-    return {j["name"], j["state"], j["line"], j["seconds"], j["details"], j["differs"], j["numbers_wrong"]};
+/// A run of checks on its way.
+struct Run {
+    const CheckCommand& command;
+    std::vector<Chosen> checks;
+    std::vector<CheckResult> results;
+    std::size_t known = 0;  ///< of the results
+};
+
+// A manifest's references must not be written over by any of its checks, whether they are run this time or not.
+FilesOfRun files_of(const CheckCommand& command, const std::vector<Check>& all) {
+    FilesOfRun files(command.manifest.string());
+    if (command.junit) files.writes(*command.junit, "--junit " + command.junit->string());
+    if (command.report) files.writes(*command.report, "--report " + command.report->string());
+    for (const Check& check : all) {
+        const std::string of_check = " of check " + check.name + ")";
+        const fs::path actual = evidence_file(command, check);
+        files.manifest_writes(actual, actual.string() + " (the picture" + of_check);
+        if (!check.reference) continue;
+        files.manifest_writes(*check.reference, check.reference->string() + " (the reference" + of_check);
+        for (const fs::path& file : evidence_files(actual, *check.reference))
+            files.manifest_writes(file, file.string() + " (left by a failure" + of_check);
+    }
+    return files;
 }
 
-CheckResult error_result(const Check& check, const Error& error) {
-    return {.name = check.name, .state = "error", .line = error.what(), .details = "{}"};
-}
-
-// False where it was cancelled.
-bool run_checks(const CheckCommand& command, const std::vector<Check>& checks, std::vector<CheckResult>& results) {
-    Progress progress(checks.size());
-    const auto draw = [&](Studio& studio, const Check& check) -> Finish {
-        const auto began = Clock::now();
-        const auto timed = [began](CheckResult result) {
-            result.seconds = std::chrono::duration<double>(Clock::now() - began).count();
-            return packed(result);
-        };
+std::vector<Chosen> chosen_of(const CheckCommand& command, const std::vector<Check>& all) {
+    std::vector<Chosen> chosen;
+    std::size_t named = 0;
+    for (const Check& check : all) {
+        if (check.name.find(command.only) == std::string::npos) continue;
+        if (named++ % command.shards != command.shard - 1) continue;
+        chosen.push_back({check, {}, {}});
         try {
-            const Scene scene = scene_for(check.picture.file, check.picture.settings);
-            auto judge =
-                std::make_shared<Judge>(command, check, studio.capture(scene, capture_options(check.picture, true)));
-            return [judge, timed, &check] {
-                try {
-                    return timed(judge->judge());
-                } catch (const InputError& e) {
-                    return timed(error_result(check, e));
-                }
-            };
-        } catch (const ContextError&) {
-            throw;  // then none can be drawn
+            chosen.back().subject = subject_of(check.picture.file, check.picture.settings);
         } catch (const Error& e) {
-            return [text = timed(error_result(check, e))] { return text; };
+            chosen.back().error = e.what();
         }
+    }
+    if (named == 0) throw UsageError("--only " + command.only + ": no check's name has that in it");
+    return chosen;
+}
+
+Finish draw(const CheckCommand& command, const Chosen& chosen, Studio& studio) {
+    const Check& check = chosen.check;
+    const auto timed = [began = Clock::now()](CheckResult result) {
+        result.seconds = std::chrono::duration<double>(Clock::now() - began).count();
+        return packed(result);
     };
-    return run_batch({.count = checks.size(),
-                      .jobs = command.jobs,
-                      .start =
-                          [&] {
-                              auto studio = std::make_shared<Studio>(
-                                  command.context, checks.size() / static_cast<std::size_t>(command.jobs));
-                              return [&, studio](std::size_t i) { return draw(*studio, checks[i]); };
-                          },
-                      .done =
-                          [&](std::size_t i, const std::string& text) {
-                              results[i] = unpacked(text);
-                              progress.step();
-                          }}) &&
+    const auto failed = [&](const std::string& reason) {
+        return [text = timed(error_result(check, reason))] { return text; };
+    };
+    if (!chosen.subject) return failed(chosen.error);
+    try {
+        CaptureOptions options = capture_options(check.picture, *chosen.subject);
+        options.numbers = true;
+        auto capture = std::make_shared<Capture>(studio.capture(chosen.subject->scene, options));
+        return [&command, &check, capture, timed] {
+            try {
+                return timed(judge_check(command, check, std::move(*capture)));
+            } catch (const InputError& e) {
+                return timed(error_result(check, e.what()));
+            } catch (const std::bad_alloc&) {
+                return timed(error_result(check, kOutOfMemory));
+            }
+        };
+    } catch (const ContextError&) {
+        throw;  // then none can be drawn
+    } catch (const Error& e) {
+        return failed(e.what());
+    } catch (const std::bad_alloc&) {
+        return failed(kOutOfMemory);
+    }
+}
+
+void print_result(const CheckResult& r) {
+    print(in_one_line(std::string(name(r.state)) + ": " + r.name + ": " + r.line) + "\n");
+}
+
+// Each result is printed as it comes. False where it was cancelled.
+bool run_checks(Run& run) {
+    const std::size_t count = run.checks.size(),
+                      jobs = std::clamp<std::size_t>(static_cast<std::size_t>(run.command.jobs), 1,
+                                                     std::max<std::size_t>(count, 1));
+    Progress progress(count);
+    const auto start = [&] {
+        auto studio = std::make_shared<Studio>(StudioOptions{run.command.context, count / jobs, jobs});
+        return [&run, studio](std::size_t i) { return draw(run.command, run.checks[i], *studio); };
+    };
+    const auto done = [&](std::size_t i, const std::string& text) {
+        run.results[i] = unpacked(text);
+        ++run.known;
+        progress.hide();
+        print_result(run.results[i]);
+        progress.step();
+    };
+    return run_batch({.count = count, .jobs = jobs, .apart = true, .start = start, .done = done}) &&
            !CancelOnSignal::asked();
+}
+
+std::string summary(const Run& run) {
+    const auto passed =
+        std::ranges::count_if(run.results, [](const CheckResult& r) { return r.state == CheckState::Pass; });
+    const std::size_t skipped = run.results.size() - run.known;
+    return std::to_string(passed) + " of " + std::to_string(run.results.size()) + " checks pass" +
+           (skipped > 0 ? ", " + std::to_string(skipped) + " were not run" : "") + "\n";
 }
 
 bool accepted_by_user(std::size_t count) {
@@ -196,60 +152,93 @@ bool accepted_by_user(std::size_t count) {
     return answer == 'y' || answer == 'Y';
 }
 
-// What was left for people to look at becomes the reference.
-void update_references(const CheckCommand& command, const std::vector<Check>& checks,
-                       std::vector<CheckResult>& results) {
-    std::size_t differ = 0;
-    for (const CheckResult& r : results) differ += r.reference_differs ? 1 : 0;
+// What this run drew, and left for people to look at, becomes the reference; no other picture may, such as one that an
+// earlier run left there.
+void update_references(Run& run) {
+    const auto differ = static_cast<std::size_t>(
+        std::ranges::count_if(run.results, [](const CheckResult& r) { return r.reference_differs; }));
     if (differ == 0 || !accepted_by_user(differ)) return;
-    for (std::size_t i = 0; i < checks.size(); ++i) {
-        if (!results[i].reference_differs) continue;
-        const fs::path& reference = *checks[i].reference;
+    for (std::size_t i = 0; i < run.results.size(); ++i) {
+        CheckResult& result = run.results[i];
+        if (!result.reference_differs || result.drawn == 0) continue;  // the result says why there is no picture
+        const Check& check = run.checks[i].check;
+        const fs::path drawn = evidence_file(run.command, check);
+        const std::string bytes = read_file(drawn, std::size_t{1} << 30);
+        if (hash_of(bytes) != result.drawn)
+            throw InputError(drawn.string() +
+                             ": is no longer the picture that this run drew, so that it became no reference; "
+                             "is there another run with the same --results?");
         std::error_code ignored;
-        fs::create_directories(reference.parent_path(), ignored);
-        write_png(reference, read_png(evidence_file(command, checks[i])));
-        std::printf("updated: %s\n", reference.c_str());
-        results[i].reference_differs = false;
+        fs::create_directories(check.reference->parent_path(), ignored);  // writing will say what is wrong
+        write_file(*check.reference, bytes);
+        result.reference_differs = false;
+        for (const fs::path& file : result.evidence) fs::remove(file, ignored);
+        print("updated: " + check.reference->string() + "\n");
     }
+}
+
+/// Does one thing after the other, whatever becomes of those before, and throws the first error in the end.
+class InSpiteOfErrors {
+public:
+    template <class F>
+    void attempt(F&& f) {
+        try {
+            f();
+        } catch (...) {
+            if (!first_) first_ = std::current_exception();
+        }
+    }
+    void rethrow() const {
+        if (first_) std::rethrow_exception(first_);
+    }
+
+private:
+    std::exception_ptr first_;
+};
+
+void write_reports(const Run& run, InSpiteOfErrors& tasks) {
+    const CheckCommand& command = run.command;
+    tasks.attempt([&] { print(summary(run)); });
+    if (command.junit)
+        tasks.attempt([&] { write_file(*command.junit, junit_xml(command.manifest.stem().string(), run.results)); });
+    if (command.report)
+        tasks.attempt(
+            [&] { write_file(*command.report, html_report(command.manifest.filename().string(), run.results)); });
 }
 
 }  // namespace
 
 int run(const CheckCommand& command) {
-    std::vector<Check> checks = read_manifest(command.manifest);
-    std::erase_if(checks, [&](const Check& c) { return c.name.find(command.only) == std::string::npos; });
-    if (checks.empty()) throw UsageError("--only " + command.only + ": no check's name has that in it");
-    std::error_code ignored;
-    fs::create_directories(command.results, ignored);  // writing will say what is wrong
+    const std::vector<Check> all = read_manifest(command.manifest);
+    FilesOfRun files = files_of(command, all);
+    Run run{command, chosen_of(command, all), {}};
+    for (const Chosen& c : run.checks)
+        if (c.subject) files.reads_scene(c.check.picture.file, c.subject->scene);
+    for (const Chosen& c : run.checks)
+        run.results.push_back({.name = c.check.name, .line = "not run: the run was cut short"});
 
-    std::vector<CheckResult> results(checks.size());
+    std::error_code ignored;
+    const bool folder_was_there = fs::exists(command.results, ignored);
+    InSpiteOfErrors tasks;
+    bool whole = false;
     {
         const CancelOnSignal cancel;
-        if (!run_checks(command, checks, results)) {
-            std::fputs("normalscope: cancelled; no report was written\n", stderr);
+        tasks.attempt([&] { whole = run_checks(run); });
+        write_reports(run, tasks);
+        if (whole && command.update) tasks.attempt([&] { update_references(run); });
+        if (!folder_was_there) fs::remove(command.results, ignored);  // only if it is empty
+        tasks.rethrow();
+        if (!whole) {
+            std::fprintf(stderr, "normalscope: cancelled after %zu of %zu checks; the others were not run\n", run.known,
+                         run.results.size());
             return CancelOnSignal::exit_code();
         }
     }
-    fs::remove(command.results, ignored);  // which removes an empty folder only
-
-    std::string lines;
-    std::size_t passed = 0;
-    for (const CheckResult& r : results) {
-        lines += r.state + ": " + r.name + ": " + r.line + "\n";
-        passed += r.state == "pass" ? 1 : 0;
-    }
-    lines += std::to_string(passed) + " of " + std::to_string(results.size()) + " checks pass\n";
-    write_file("/dev/stdout", lines);
-    const std::string suite = command.manifest.stem().string();
-    if (command.junit) write_file(*command.junit, junit_xml(suite, results));
-    if (command.report) write_file(*command.report, html_report(command.manifest.filename().string(), results));
-    if (!command.update) return passed == results.size() ? 0 : 1;
-
-    update_references(command, checks, results);
-    const auto good = [](const CheckResult& r) {
-        return r.state != "error" && !r.reference_differs && !r.numbers_wrong;
+    const auto good = [&](const CheckResult& r) {
+        return r.state == CheckState::Pass ||
+               (command.update && r.state == CheckState::Fail && !r.reference_differs && !r.numbers_wrong);
     };
-    return std::ranges::all_of(results, good) ? 0 : 1;
+    return std::ranges::all_of(run.results, good) ? 0 : 1;
 }
 
 }  // namespace normalscope

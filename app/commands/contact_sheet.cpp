@@ -1,7 +1,8 @@
 #include "commands/contact_sheet.h"
 
+#include "core/image/shrunk.h"
+
 #include <algorithm>
-#include <array>
 
 namespace normalscope {
 
@@ -9,21 +10,6 @@ namespace {
 
 constexpr int kLongest = 2560, kGap = 4;
 constexpr std::uint8_t kGapGrey = 128;
-
-// The mean over squares of side × side pixels, which is also what a smaller picture's samples would give.
-void put_shrunk(const Image& from, int side, glm::ivec2 origin, Image& to) {
-    for (int y = 0; y < from.size.y / side; ++y)
-        for (int x = 0; x < from.size.x / side; ++x) {
-            std::array<int, 4> sum{};
-            for (int v = 0; v < side; ++v) {
-                const std::uint8_t* row = from.pixel(x * side, y * side + v);
-                for (std::size_t i = 0; i < 4 * static_cast<std::size_t>(side); ++i) sum[i % 4] += row[i];
-            }
-            for (std::size_t c = 0; c < 4; ++c)
-                to.pixel(origin.x + x, origin.y + y)[c] =
-                    static_cast<std::uint8_t>((sum[c] + side * side / 2) / (side * side));
-        }
-}
 
 }  // namespace
 
@@ -39,7 +25,10 @@ Image contact_sheet(std::size_t count, std::size_t columns, const std::function<
     for (std::size_t i = 3; i < sheet.rgba.size(); i += 4) sheet.rgba[i] = 255;
     for (std::size_t i = 0; i < count; ++i) {
         const auto column = static_cast<int>(i % columns), row = static_cast<int>(i / columns);
-        put_shrunk(i == 0 ? first : picture(i), side, {column * (cell.x + kGap), row * (cell.y + kGap)}, sheet);
+        const Image small = shrunk_by(i == 0 ? first : picture(i), side);
+        for (int y = 0; y < cell.y; ++y)
+            std::copy_n(small.pixel(0, y), 4 * cell.x,
+                        sheet.pixel(column * (cell.x + kGap), row * (cell.y + kGap) + y));
     }
     return sheet;
 }

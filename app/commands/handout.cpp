@@ -1,11 +1,14 @@
 #include "commands/commands.h"
-#include "core/base/file.h"
 
+#include "commands/files_of_run.h"
 #include "commands/report.h"
 #include "commands/studio.h"
+#include "core/base/base64.h"
+#include "core/base/file.h"
 #include "core/base/html.h"
 #include "core/image/png.h"
-#include "core/lessons/lesson.h"
+#include "core/lessons/open.h"
+#include "platform/crash_line.h"
 
 namespace normalscope {
 
@@ -36,7 +39,7 @@ std::string picture(const LessonStep& step, const Image& image) {
 
 std::string choices(const Question& question) {
     std::string html = "  <p class=\"caption\">" + html_math(question.text) + "</p>\n  <ol class=\"choices\">\n";
-    for (const Answer& choice : question.choices) html += "    <li>" + html_math(choice.text) + "</li>\n";
+    for (const Choice& choice : question.choices) html += "    <li>" + html_math(choice.text) + "</li>\n";
     return html + "  </ol>\n";
 }
 
@@ -47,7 +50,7 @@ std::string answers(const Lesson& lesson) {
         if (!question) continue;
         html += "  <p>Step " + std::to_string(i + 1) + ". " + html_math(question->text) + "</p>\n";
         html += "  <ol class=\"choices\">\n";
-        for (const Answer& choice : question->choices)
+        for (const Choice& choice : question->choices)
             html += std::string("    <li>") + (choice.right ? "<b>Right.</b> " : "") + html_math(choice.because) +
                     "</li>\n";
         html += "  </ol>\n";
@@ -55,13 +58,13 @@ std::string answers(const Lesson& lesson) {
     return html.empty() ? html : "<div class=\"answers\">\n  <h2>Answers</h2>\n" + html + "</div>\n";
 }
 
-}  // namespace
-
-namespace {
-
 std::string handout(const HandoutCommand& command) {
     const Lesson lesson = load_lesson(command.lesson);
-    Studio studio(command.context, lesson.steps.size());
+    FilesOfRun files;
+    for (const LessonStep& step : lesson.steps) files.reads_scene(command.lesson, step.scene);
+    files.writes(command.output, "--output");
+    const CrashLine crash_line;
+    Studio studio({.context = command.context, .pictures = lesson.steps.size()});
     std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
                        html_text(lesson.title) + "</title>\n<style>" + std::string(kStyle) +
                        "</style>\n</head>\n<body>\n";
@@ -82,7 +85,7 @@ std::string handout(const HandoutCommand& command) {
 }  // namespace
 
 int run(const HandoutCommand& command) {
-    write_file(command.output, handout(command));
+    write(command.output, handout(command));
     return 0;
 }
 

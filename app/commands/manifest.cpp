@@ -3,7 +3,9 @@
 #include "cli/values.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/json_object.h"
 #include "core/base/json_reading.h"
+#include "core/base/utf8.h"
 #include "core/lessons/link.h"
 
 #include <algorithm>
@@ -19,72 +21,42 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLargestManifest = std::size_t{16} << 20;
-constexpr int kDeepest = 16;
-constexpr double kWithin = 1e-9;
+constexpr double kWithin = 1e-9;  // of 1, or of a larger number itself
 
-/// One object of the manifest, and where it stands, for errors.
-class Keys {
-public:
-    Keys(const Json& json, std::string path) : json_(json), path_(std::move(path)) {
-        if (!json.is_object()) throw InputError(path_ + ": expected an object");
-    }
+enum class Kind { Number, Text };
 
-    const Json* find(const char* key) {
-        known_.emplace_back(key);
-        const auto it = json_.find(key);
-        return it == json_.end() ? nullptr : &*it;
+/// `read(option, text)` reads it as the command line's option is read.
+template <class Value, class Read>
+void read_option(JsonObject& object, const char* key, Kind kind, Value& value, Read&& read) {
+    const Json* json = object.find(key);
+    if (!json) return;
+    if (kind == Kind::Number && !json->is_number()) fail_kind(object.at(key), "a number", *json);
+    if (kind == Kind::Text && !json->is_string()) fail_kind(object.at(key), "a string", *json);
+    const std::string text = json->is_string() ? json->get<std::string>() : json->dump();
+    try {
+        value = read("", text);
+    } catch (const UsageError& e) {
+        throw JsonError(object.at(key), shortened(text, 40) + ": " + e.reason);
     }
-    /// `read(option, text)` as the command line's options are read.
-    template <class Value, class Read>
-    void text(const char* key, Value& value, Read&& read) {
-        const Json* j = find(key);
-        if (!j) return;
-        try {
-            value = read(at(key) + ":", j->is_string() ? j->get<std::string>() : j->dump());
-        } catch (const UsageError& e) {
-            throw InputError(e.what());
-        }
-    }
-    void flag(const char* key, bool& value) {
-        const Json* j = find(key);
-        if (!j) return;
-        if (!j->is_boolean()) throw InputError(at(key) + ": expected true or false");
-        value = j->get<bool>();
-    }
-    void string(const char* key, std::string& value) {
-        const Json* j = find(key);
-        if (!j) return;
-        if (!j->is_string()) throw InputError(at(key) + ": expected a string");
-        value = j->get<std::string>();
-    }
-    void no_other_keys() const {
-        for (const auto& [key, value] : json_.items())
-            if (std::ranges::count(known_, key) == 0) {
-                std::string line = path_ + " " + key + ": unknown key; known here:";
-                for (const std::string& k : known_) line += " " + k;
-                throw InputError(line);
-            }
-    }
-    std::string at(const std::string& key) const { return path_ + " " + key; }
-
-private:
-    const Json& json_;
-    std::string path_;
-    std::vector<std::string> known_;
-};
+}
 
 // What a check has, and the manifest itself has for all of them.
-void read_how(Keys& object, Check& check) {
-    object.text("size", check.picture.size, parse_size);
-    object.text("samples", check.picture.samples, parse_samples);
-    object.text("ground", check.picture.ground, parse_ground);
-    object.text("scale", check.picture.scale, parse_scale);
-    object.flag("panel", check.picture.panel);
-    object.string("tab", check.picture.tab);
-    object.flag("captions", check.picture.captions);
-    object.text("tolerance", check.tolerance.channel, parse_tolerance);
-    object.text("share", check.tolerance.share, parse_share);
-    object.flag("perceptual", check.tolerance.perceived);
+void read_how(JsonObject& object, Check& check) {
+    read_option(object, "size", Kind::Text, check.picture.size, parse_size);
+    read_option(object, "samples", Kind::Number, check.picture.samples, parse_samples);
+    read_option(object, "ground", Kind::Text, check.picture.ground, parse_ground);
+    read_option(object, "scale", Kind::Number, check.picture.scale, parse_scale);
+    object.read("panel", check.picture.panel);
+    object.read("tab", check.picture.tab);
+    object.read("captions", check.picture.captions);
+    read_option(object, "tolerance", Kind::Number, check.tolerance.channel, parse_tolerance);
+    read_option(object, "share", Kind::Number, check.tolerance.share, parse_share);
+    object.read("perceptual", check.tolerance.perceived);
+}
+
+void read_file_name(JsonObject& object, const char* key, std::string& name) {
+    object.read(key, name);
+    if (object.find(key) && name.empty()) throw JsonError(object.at(key), "is empty");
 }
 
 // A scene's name or link, or a file's from the manifest's folder.
@@ -95,45 +67,87 @@ std::string scene_from(const fs::path& folder, const std::string& scene) {
     return fs::path(scene).has_extension() || fs::exists(file, ignored) ? file.lexically_normal().string() : scene;
 }
 
-void read_settings(Keys& object, std::vector<std::string>& settings) {
+void read_settings(JsonObject& object, std::vector<std::string>& settings) {
     const Json* list = object.find("set");
     if (!list) return;
-    if (!list->is_array() || !std::ranges::all_of(*list, [](const Json& j) { return j.is_string(); }))
-        throw InputError(object.at("set") + R"(: expected an array of strings, such as ["rule=naive"])");
+    const std::string expected = R"(an array of strings, such as ["rule=naive"])";
+    if (!list->is_array()) fail_kind(object.at("set"), expected, *list);
+    for (const Json& setting : *list)
+        if (!setting.is_string()) fail_kind(object.at("set"), expected, *list);
     settings = list->get<std::vector<std::string>>();
 }
 
-Check read_check(const Json& json, const std::string& path, const fs::path& folder, const Check& usual) {
-    Keys object(json, path);
+bool holds_numbers(const Json& json) {
+    return json.is_number() || (json.is_array() && !json.empty() && std::ranges::all_of(json, holds_numbers));
+}
+
+// By dotted path, a value each, or {"is": VALUE, "within": NUMBER}.
+void read_numbers(JsonObject& object, Json& numbers) {
+    const Json* json = object.find("numbers");
+    if (!json) return;
+    const JsonPath path = object.at("numbers");
+    if (!json->is_object()) fail_kind(path, R"(an object, such as {"determinant": 1})", *json);
+    for (const auto& [key, value] : json->items()) {
+        if (!value.is_object()) continue;
+        JsonObject tolerant(value, below(path, key));
+        const bool numbers_alone = holds_numbers(tolerant.need("is"));
+        if (value.contains("within") && !numbers_alone)
+            throw JsonError(tolerant.at("within"), "is for numbers, and what is expected is none");
+        double within = 0.0;
+        tolerant.read("within", within, Range{0.0, kAnyNumber.high});
+        tolerant.no_other_keys();
+    }
+    numbers = *json;
+}
+
+Check read_check(const Json& json, const JsonPath& path, const fs::path& folder, const Check& usual) {
+    JsonObject object(json, path);
     Check check = usual;
-    std::string scene = check.picture.file;
-    object.string("scene", scene);
+    std::string scene, reference;
+    (void)object.need("scene");
+    read_file_name(object, "scene", scene);
     check.name = fs::path(scene).stem().string();
-    object.string("name", check.name);
-    if (check.name.empty()) throw InputError(object.at("name") + ": is empty");
+    object.read("name", check.name);
+    if (check.name.empty()) throw JsonError(object.at("name"), "is empty");
     check.picture.file = scene_from(folder, scene);
     read_settings(object, check.picture.settings);
     read_how(object, check);
-    if (const Json* numbers = object.find("numbers")) {
-        if (!numbers->is_object())
-            throw InputError(object.at("numbers") + R"(: expected an object, such as {"determinant": 1})");
-        check.numbers = *numbers;
-    }
-    const Json* reference = object.find("reference");
-    if (!reference && check.numbers.empty())
-        throw InputError(path + ": has neither a reference nor numbers, so it checks nothing");
-    if (reference && !reference->is_string())
-        throw InputError(object.at("reference") + ": expected a picture's file name");
-    if (reference) check.reference = (folder / reference->get<std::string>()).lexically_normal();
+    read_numbers(object, check.numbers);
+    read_file_name(object, "reference", reference);
     object.no_other_keys();
+    if (reference.empty() && check.numbers.empty())
+        throw JsonError(path, "has neither a reference nor numbers, so it checks nothing");
+    if (!reference.empty()) check.reference = (folder / reference).lexically_normal();
     return check;
 }
 
-std::string shown(const Json& j) { return j.dump(-1, ' ', false, Json::error_handler_t::replace).substr(0, 80); }
+std::vector<Check> read_checks(const Json& json, const fs::path& folder) {
+    JsonObject manifest(json, {});
+    (void)manifest.need("normalscope_check");
+    manifest.read_format("normalscope_check");
+    Check usual;
+    read_how(manifest, usual);
+    const Json& list = manifest.need("checks");
+    const JsonPath path = manifest.at("checks");
+    if (!list.is_array() || list.empty()) fail_kind(path, "an array of one or more", list);
+    manifest.no_other_keys();
 
-bool agree(const Json& found, const Json& expected, double within) {
-    if (expected.is_number() && found.is_number())
-        return std::abs(found.get<double>() - expected.get<double>()) <= within;
+    std::vector<Check> checks;
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        checks.push_back(read_check(list[i], below(path, i), folder, usual));
+        if (!names.insert(checks.back().name).second)
+            throw JsonError(below(path, i),
+                            "there is a check named " + checks.back().name + " already; give this one another name");
+    }
+    return checks;
+}
+
+bool agree(const Json& found, const Json& expected, std::optional<double> within) {
+    if (expected.is_number() && found.is_number()) {
+        const double wanted = expected.get<double>();
+        return std::abs(found.get<double>() - wanted) <= within.value_or(kWithin * std::max(1.0, std::abs(wanted)));
+    }
     if (!expected.is_array() || !found.is_array()) return found == expected;
     if (found.size() != expected.size()) return false;
     for (std::size_t i = 0; i < expected.size(); ++i)
@@ -164,28 +178,11 @@ const Json* at_path(const Json& numbers, const std::string& path) {
 }  // namespace
 
 std::vector<Check> read_manifest(const fs::path& file) {
-    const Json json = read_json(read_file(file, kLargestManifest), file.string(), kDeepest);
-    const fs::path folder = file.parent_path();
-    Keys manifest(json, file.string() + ":");
-    const Json* version = manifest.find("normalscope_check");
-    if (!version || *version != 1)
-        throw InputError(manifest.at("normalscope_check") + ": must be 1, the number of the format that is read here");
-    Check usual;
-    read_how(manifest, usual);
-    const Json* list = manifest.find("checks");
-    if (!list || !list->is_array() || list->empty())
-        throw InputError(manifest.at("checks") + ": expected an array of one or more");
-    manifest.no_other_keys();
-
-    std::vector<Check> checks;
-    std::set<std::string> names;
-    for (std::size_t i = 0; i < list->size(); ++i) {
-        checks.push_back(read_check((*list)[i], file.string() + ": checks." + std::to_string(i), folder, usual));
-        if (!names.insert(checks.back().name).second)
-            throw InputError(file.string() + ": checks." + std::to_string(i) + ": there is a check named " +
-                             checks.back().name + " already; give this one another name");
+    try {
+        return read_checks(read_json(read_file(file, kLargestManifest)), file.parent_path());
+    } catch (const JsonError& e) {
+        throw InputError(file.string(), e.what());
     }
-    return checks;
 }
 
 std::vector<std::string> wrong_numbers(const Json& numbers, const Json& expected) {
@@ -193,14 +190,15 @@ std::vector<std::string> wrong_numbers(const Json& numbers, const Json& expected
     for (const auto& [path, wanted] : expected.items()) {
         const bool with_tolerance = wanted.is_object() && wanted.contains("is");
         const Json& value = with_tolerance ? wanted["is"] : wanted;
-        const double within = with_tolerance && wanted.contains("within") && wanted["within"].is_number()
-                                  ? wanted["within"].get<double>()
-                                  : kWithin;
+        std::optional<double> within;
+        if (with_tolerance && wanted.contains("within") && wanted["within"].is_number())
+            within = wanted["within"].get<double>();
         const Json* found = at_path(numbers, path);
         if (!found)
             lines.push_back(path + ": there is no such number");
         else if (!agree(*found, value, within))
-            lines.push_back(path + " is " + shown(*found) + ", expected " + shown(value) + " within " + shown(within));
+            lines.push_back(path + " is " + shown(*found, 80) + ", expected " + shown(value, 80) +
+                            (within ? " within " + shown(*within) : ""));
     }
     return lines;
 }

@@ -2,11 +2,11 @@
 
 #include "commands/commands.h"
 #include "commands/scene_arguments.h"
-#include "core/base/file.h"
+#include "core/base/output.h"
 #include "core/base/utf8.h"
 #include "core/explain/explanation.h"
 #include "core/lessons/lesson.h"
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
 
 #include <algorithm>
 #include <string>
@@ -15,8 +15,8 @@ namespace normalscope {
 
 namespace {
 
-int print(const std::string& text) {
-    write_file("/dev/stdout", text);  // says so where it cannot be written
+int printed(const std::string& text) {
+    print(text);
     return 0;
 }
 
@@ -27,7 +27,7 @@ int print_list(const List& list) {
     for (const auto& entry : list) width = std::max(width, columns(entry.name) + 2);
     std::string text;
     for (const auto& entry : list) text += padded(entry.name, width) + entry.about + "\n";
-    return print(text);
+    return printed(text);
 }
 
 }  // namespace
@@ -35,8 +35,8 @@ int print_list(const List& list) {
 int run(const ScenesCommand&) { return print_list(built_in_scenes()); }
 int run(const LessonsCommand&) { return print_list(built_in_lessons()); }
 int run(const ExplainCommand& command) {
-    return print(explain(scene_for(command.file, command.settings), command.format));
+    return printed(explain(subject_of(command.file, command.settings).scene, command.format));
 }
-int run(const Printed& command) { return print(command.text); }
+int run(const Printed& command) { return printed(command.text); }
 
 }  // namespace normalscope

@@ -7,11 +7,16 @@
 
 namespace normalscope {
 
-/// The scene after each "PATH=VALUE". Throws as with_setting does.
-Scene with_settings(Scene scene, const std::vector<std::string>& settings);
-/// What FILE names, so changed.
-Scene scene_for(const std::string& file, const std::vector<std::string>& settings);
+/// What FILE names, read once, after each "PATH=VALUE".
+struct Subject {
+    Scene scene;
+    std::shared_ptr<const Lesson> lesson;  ///< empty where the scene is no lesson's step
+    std::size_t step = 0;
+};
+/// Throws InputError, and UsageError for what `settings` may not do.
+Subject subject_of(const std::string& file, const std::vector<std::string>& settings);
 
-CaptureOptions capture_options(const PictureArguments& arguments, bool numbers);
+/// How it is drawn. Throws UsageError where captions are asked for, and there are none.
+CaptureOptions capture_options(const PictureArguments& arguments, const Subject& subject);
 
 }  // namespace normalscope

@@ -1,14 +1,19 @@
 #include "commands/studio.h"
 
+#include "core/base/beside.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/explain/numbers_json.h"
 #include "core/image/matte.h"
+#include "core/lessons/tabs.h"
 #include "core/picture/display_scale.h"
 #include "core/picture/frame.h"
 #include "core/picture/make_frame.h"
 #include "core/surface/surface.h"
 #include "gl/renderer.h"
 #include "gl/target.h"
+#include "gl/version.h"
+#include "platform/driver_variables.h"
 #include "platform/offscreen_context.h"
 #include "ui/offscreen_gui.h"
 
@@ -16,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <optional>
 
 namespace normalscope {
@@ -24,22 +28,22 @@ namespace normalscope {
 namespace {
 
 bool has_words(const Frame& frame) {
-    bool any = !frame.legend.empty() || frame.error_legend;
+    bool any = !frame.legend.empty() || frame.color_key;
     for (const Pane& pane : frame.panes) any = any || !pane.labels.empty();
     return any;
 }
 
 std::string unknown_tab(const std::string& tab) {
-    std::string line = "--tab " + tab + ": there is no such tab; known:";
-    for (const std::string_view known : Interface::tabs()) line += " " + std::string(known);
-    return line;
+    return "--tab " + tab + ": there is no such tab; known: " + joined(tab_names(), " ");
 }
 
 }  // namespace
 
 /// What needs a context, in the order in which it must be made.
 struct Studio::Equipment {
-    explicit Equipment(ContextChoice choice) : context(make_offscreen_context(choice)) { context->make_current(); }
+    explicit Equipment(const ContextOptions& options) : context(make_offscreen_context(options)) {
+        context->make_current();
+    }
 
     Target& target_for(const CaptureOptions& options) {
         if (!target || target->size() != options.size || asked_samples != options.samples) {
@@ -50,6 +54,34 @@ struct Studio::Equipment {
         return *target;
     }
 
+    /// Anew, as it is when nothing has happened yet; gives the room that it leaves to the picture.
+    PixelRect open_interface(const Scene& scene, const CaptureOptions& options, float scale) {
+        gui.reset();
+        gui.emplace();
+        if (options.lesson) gui->interface.record_lesson(options.lesson, scene, options.step);
+        gui->interface.prepare(scene.theme, scale);
+        if (!options.lesson && !gui->interface.show_tab(options.tab)) throw UsageError(unknown_tab(options.tab));
+        return gui->interface.picture(options.size);
+    }
+
+    void lay_out_interface(const Scene& scene, const Frame& frame, glm::ivec2 size, float scale) {
+        Status status;
+        const Transform<World, Object> m = world_from_object(scene);
+        if (const auto naive = normal_map(scene, m, Rule::Naive))
+            status.errors = error_statistics(frame.surface->mesh, *naive, m);
+        // Dear ImGui knows a window's size only after it has laid it out once.
+        for (int round = 0; round < 3; ++round)
+            gui->layout(size, scene.theme, scale, [&] {
+                Scene unchanged = scene;
+                gui->interface.draw(unchanged, frame, status);
+            });
+    }
+
+    void lay_out_words(const Scene& scene, const Frame& frame, glm::ivec2 size, float scale) {
+        if (!gui) gui.emplace();
+        gui->layout(size, scene.theme, scale, [&] { gui->interface.draw_words(frame); });
+    }
+
     std::unique_ptr<Context> context;
     std::optional<Target> target;
     int asked_samples = 0;  // the driver may have given fewer
@@ -58,10 +90,17 @@ struct Studio::Equipment {
 };
 
 // For many pictures optimised shaders save more time than they take to compile (of 640x360 pixels, from about 25 on);
-// the pictures are the same to the last bit.
-Studio::Studio(ContextChoice context, std::size_t pictures) : choice_(context) {
-    constexpr std::size_t kMany = 25;
-    if (pictures < kMany) prefer_quick_shader_compilation();
+// the pictures are the same to the last bit. And where each process draws with as many threads as there are processors,
+// they are only in each other's way.
+Studio::Studio(const StudioOptions& options)
+    : context_{.choice = options.context, .quick_shaders = options.pictures < 25} {
+    if (options.jobs > 1) context_.threads = std::max<std::size_t>(1, processors() / options.jobs);
+
+    const std::string doubtful = doubtful_driver_variables();
+    if (!doubtful.empty() && !survives([&] { capture(Scene{}, {.size = {16, 16}}); }))
+        throw ContextError(doubtful +
+                           ": with that the graphics driver crashes; unset it, or set GALLIUM_DRIVER=llvmpipe "
+                           "and LP_NATIVE_VECTOR_WIDTH=128");
 }
 Studio::~Studio() = default;
 
@@ -74,19 +113,18 @@ Capture Studio::capture(const Scene& scene, const CaptureOptions& options) {
 }
 
 Capture Studio::draw(const Scene& scene, const CaptureOptions& options, const std::optional<glm::vec3>& plain_ground) {
-    // A large mesh takes as long to read as a context takes to make and its shaders to compile: do both at once.
-    auto loading =
-        std::async(equipment_ ? std::launch::deferred : std::launch::async, [&] { return surfaces_.get(scene); });
-    if (!equipment_) equipment_ = std::make_unique<Equipment>(choice_);
+    const bool first = !equipment_;
+    if (first) equipment_ = std::make_unique<Equipment>(context_);
+    // A large mesh takes as long to read as shaders take to compile: do both at once.
+    auto loading = beside([&] { return surfaces_.get(scene); }, first ? Begin::AtOnce : Begin::WhenAsked);
     Target& target = equipment_->target_for(options);
     if (!equipment_->renderer) equipment_->renderer.emplace();
-    std::optional<OffscreenGui>& gui = equipment_->gui;
 
     const float scale = options.lesson ? DisplayScale{}.of(1.0f, options.size, true)
-                                       : options.scale.value_or(usual_scale(options.size, options.panel));
+                                       : options.scale.value_or(options.panel ? usual_panel_scale(options.size)
+                                                                              : usual_scale(options.size));
     const bool interface = options.panel || options.lesson;
     const std::shared_ptr<const Surface> surface = loading.get();
-    PixelRect rect{{0, 0}, options.size};
     // The interface remembers what it showed last, which must not change this picture; words alone are forgotten.
     struct Forget {
         std::optional<OffscreenGui>& gui;
@@ -94,15 +132,9 @@ Capture Studio::draw(const Scene& scene, const CaptureOptions& options, const st
         ~Forget() {
             if (interface) gui.reset();
         }
-    } const forget{gui, interface};
-    if (interface) {
-        gui.reset();
-        gui.emplace();
-        if (options.lesson) gui->interface.record_lesson(options.lesson, scene, options.step);
-        gui->interface.prepare(scene.theme, scale);
-        if (!options.lesson && !gui->interface.show_tab(options.tab)) throw UsageError(unknown_tab(options.tab));
-        rect = gui->interface.picture(options.size);
-    }
+    } const forget{equipment_->gui, interface};
+    const PixelRect rect =
+        interface ? equipment_->open_interface(scene, options, scale) : PixelRect{{0, 0}, options.size};
     Frame frame = make_frame(scene, surface, {.rect = rect, .pixel_scale = scale, .handles = options.panel});
     if (plain_ground) {
         frame.plain_ground = plain_ground;
@@ -110,31 +142,21 @@ Capture Studio::draw(const Scene& scene, const CaptureOptions& options, const st
     }
 
     // Words are laid out on a thread of their own: that takes as long as to compile a shader.
-    const auto lay_out = [&] {
-        if (!gui) gui.emplace();
-        Status status;
-        const Transform<World, Object> m = world_from_object(scene);
-        if (const auto naive = normal_map(scene, m, Rule::Naive); naive && interface)
-            status.errors = error_statistics(surface->mesh, *naive, m.normal_matrices_by_rule());
-        // Dear ImGui knows a window's size only after it has laid it out once.
-        for (int round = 0; round < (interface ? 3 : 1); ++round)
-            gui->layout(options.size, scene.theme, scale, [&] {
-                Scene unchanged = scene;
-                if (interface)
-                    gui->interface.draw(unchanged, frame, status);
-                else
-                    gui->interface.draw_words(frame);
-            });
-    };
-    std::future<void> words;
-    if (interface || has_words(frame)) words = std::async(std::launch::async, lay_out);
+    Beside<void> words;
+    if (interface || has_words(frame))
+        words = beside([&] {
+            if (interface)
+                equipment_->lay_out_interface(scene, frame, options.size, scale);
+            else
+                equipment_->lay_out_words(scene, frame, options.size, scale);
+        });
 
     equipment_->renderer->draw(frame, target);
     Capture result{.image = target.read()};
-    if (surface->implicit) result.note = surface->mesh.note;
-    if (words.valid()) {
+    result.notes = surface->mesh.notes;
+    if (words) {
         words.get();
-        gui->paint(result.image);
+        equipment_->gui->paint(result.image);
     }
     if (options.numbers)
         result.numbers = numbers_text(scene, frame,

@@ -6,10 +6,12 @@
 #include "core/lessons/lesson.h"
 #include "core/scene/scene.h"
 #include "core/surface/surface.h"
+#include "platform/offscreen_context.h"
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace normalscope {
 
@@ -28,16 +30,23 @@ struct CaptureOptions {
 
 struct Capture {
     Image image;
-    std::string numbers{};  ///< JSON text (DESIGN section 2)
-    std::string note{};     ///< of a formula: why there is less to be seen than one may expect
+    std::string numbers{};             ///< JSON text (DESIGN section 2)
+    std::vector<std::string> notes{};  ///< on the surface: what is not as one may expect
+};
+
+/// What a Studio draws with, and how much it is likely to draw.
+struct StudioOptions {
+    ContextChoice context = ContextChoice::Auto;
+    std::size_t pictures = 1;
+    std::size_t jobs = 1;  ///< processes that draw at once, this one counted
 };
 
 /// Makes pictures of scenes without a window, one after the other: the context, its shaders and the last surface are
 /// kept, and a picture does not depend on those before it. Each belongs to the thread that made its first picture.
 class Studio {
 public:
-    /// `pictures` is how many it is likely to make in all. Call it before any thread starts.
-    explicit Studio(ContextChoice context, std::size_t pictures = 1);
+    /// Throws ContextError where the environment tells the driver something that it crashes on.
+    explicit Studio(const StudioOptions& options);
     ~Studio();
     Studio(const Studio&) = delete;
     Studio& operator=(const Studio&) = delete;
@@ -49,7 +58,7 @@ private:
     Capture draw(const Scene& scene, const CaptureOptions& options, const std::optional<glm::vec3>& plain_ground);
 
     struct Equipment;
-    ContextChoice choice_;
+    ContextOptions context_;
     std::unique_ptr<Equipment> equipment_;
     SurfaceCache surfaces_;
 };

@@ -6,19 +6,25 @@
 #include "batch/progress.h"
 #include "batch/video.h"
 #include "commands/contact_sheet.h"
+#include "commands/files_of_run.h"
 #include "commands/scene_arguments.h"
 #include "commands/studio.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/json_path.h"
 #include "core/base/json_text.h"
+#include "core/base/output.h"
 #include "core/base/temporary_folder.h"
+#include "core/base/utf8.h"
 #include "core/image/png.h"
+#include "platform/crash_line.h"
 
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <set>
 
 namespace normalscope {
 
@@ -39,7 +45,7 @@ public:
         for (const Variation& v : variations_) product *= v.values.size();
         return product;
     }
-    std::vector<std::string> settings(std::size_t i) const {
+    std::vector<Setting> settings(std::size_t i) const {
         if (variations_.size() == 1) return {variations_[0].setting(i)};
         return {variations_[0].setting(i / columns()), variations_[1].setting(i % columns())};
     }
@@ -48,14 +54,19 @@ private:
     const std::vector<Variation>& variations_;
 };
 
-Scene varied(const Scene& base, const std::vector<std::string>& settings) {
+Scene varied(Scene scene, const std::vector<Setting>& settings) {
     try {
-        return with_settings(base, settings);
-    } catch (const InputError& e) {
-        std::string line = e.what();  // it was not given as --set
-        if (line.starts_with("--set ")) line.replace(2, 3, "vary");
-        throw InputError(line);
+        for (const Setting& setting : settings) scene = with_setting(scene, setting);
+        return scene;
+    } catch (const JsonError& e) {
+        throw UsageError("--vary " + std::string(e.what()));
     }
+}
+
+Json texts_of(const std::vector<Setting>& settings) {
+    Json texts = Json::array();
+    for (const Setting& setting : settings) texts.push_back(setting.text());
+    return texts;
 }
 
 // How many columns make a sheet of `count` pictures about as wide as they are themselves.
@@ -65,88 +76,131 @@ std::size_t near_square(std::size_t count) {
     return columns;
 }
 
+/// A sweep on its way: what is drawn, where it goes, and what has been found.
+struct Sweep {
+    const SweepCommand& command;
+    Plan plan{command.variations};
+    bool video = is_video(command.output);
+    std::vector<Scene> scenes{};
+    CaptureOptions options{};
+    std::string pattern = command.output;  ///< of the pictures' names; a video's lie in a folder for the time being
+    std::vector<Capture> captures{};       ///< without their images
+
+    fs::path file(std::size_t i) const { return numbered(pattern, i, plan.columns()); }
+};
+
+void refuse_to_overwrite(const Sweep& sweep, const Scene& base) {
+    FilesOfRun files;
+    files.reads_scene(sweep.command.file, base);
+    for (std::size_t i = 0; i < (sweep.video ? 1 : sweep.plan.count()); ++i) {
+        const fs::path file = sweep.video ? fs::path(sweep.command.output) : sweep.file(i);
+        files.writes(file, "--output " + file.string());
+    }
+    if (sweep.command.sheet) files.writes(*sweep.command.sheet, "--sheet");
+    if (sweep.command.numbers) files.writes(*sweep.command.numbers, "--numbers");
+}
+
+Finish draw(const Sweep& sweep, Studio& studio, std::size_t i) {
+    auto capture = std::make_shared<Capture>(studio.capture(sweep.scenes[i], sweep.options));
+    return [&sweep, i, capture] {
+        if (sweep.video)
+            write_frame(sweep.file(i), capture->image, sweep.command.output);
+        else
+            write_png(sweep.file(i), capture->image);
+        return Json::array({std::move(capture->numbers), std::move(capture->notes)}).dump();
+    };
+}
+
+// False where it was cancelled, which it says.
+bool draw_all(Sweep& sweep) {
+    const SweepCommand& command = sweep.command;
+    const std::size_t count = sweep.plan.count(), jobs = std::min(static_cast<std::size_t>(command.jobs), count);
+    sweep.captures.resize(count);
+    std::size_t drawn = 0;
+    std::optional<Progress> progress(std::in_place, count);
+    const bool whole = run_batch(
+        {.count = count,
+         .jobs = jobs,
+         .start =
+             [&] {
+                 auto studio = std::make_shared<Studio>(StudioOptions{command.context, count / jobs, jobs});
+                 return [&, studio](std::size_t i) { return draw(sweep, *studio, i); };
+             },
+         .done =
+             [&](std::size_t i, const std::string& text) {
+                 Json told = Json::parse(text);
+                 sweep.captures[i] = {{}, told[0].get<std::string>(), told[1].get<std::vector<std::string>>()};
+                 ++drawn;
+                 progress->step();
+             }});
+    progress.reset();
+    if (whole && !CancelOnSignal::asked()) return true;
+    std::fprintf(stderr, "normalscope: cancelled after %zu of %zu pictures; %s\n", drawn, count,
+                 sweep.video ? "no video was written" : "those that were written are whole");
+    return false;
+}
+
+void write_sheet(const Sweep& sweep) {
+    const Plan& plan = sweep.plan;
+    const std::size_t columns = sweep.command.variations.size() == 2 ? plan.columns() : near_square(plan.count());
+    const Image sheet = contact_sheet(plan.count(), columns, [&](std::size_t i) { return read_png(sweep.file(i)); });
+    write(*sweep.command.sheet, png_bytes(sheet));
+}
+
+void write_numbers(const Sweep& sweep) {
+    Json all = Json::array();
+    for (std::size_t i = 0; i < sweep.plan.count(); ++i) {
+        Json entry{{"set", texts_of(sweep.plan.settings(i))}};
+        entry.update(Json::parse(sweep.captures[i].numbers));
+        all.push_back(std::move(entry));
+    }
+    write(*sweep.command.numbers, json_text(all) + "\n");
+}
+
+// Each note once, with the first picture that it is of. How many there were.
+std::size_t print_notes(const Sweep& sweep) {
+    std::set<std::string> notes;
+    for (std::size_t i = 0; i < sweep.captures.size(); ++i)
+        for (const std::string& note : sweep.captures[i].notes)
+            if (notes.insert(note).second)
+                std::fprintf(stderr, "normalscope: %s: %s\n", sweep.plan.settings(i).front().text().c_str(),
+                             in_one_line(note).c_str());
+    return notes.size();
+}
+
 }  // namespace
 
 int run(const SweepCommand& command) {
-    const Plan plan(command.variations);
-    const bool video = is_video(command.output);
-    if (video) require_ffmpeg(command.output);
-    std::vector<Scene> scenes;
-    const Scene base = scene_for(command.file, command.settings);
-    for (std::size_t i = 0; i < plan.count(); ++i) scenes.push_back(varied(base, plan.settings(i)));
+    Sweep sweep{.command = command};
+    if (sweep.video) require_ffmpeg(command.output);
+    const Subject base = subject_of(command.file, command.settings);
+    const std::size_t count = sweep.plan.count();
+    for (std::size_t i = 0; i < count; ++i) sweep.scenes.push_back(varied(base.scene, sweep.plan.settings(i)));
+    sweep.options = capture_options(command, base);
+    sweep.options.numbers = command.numbers.has_value();
+    refuse_to_overwrite(sweep, base.scene);
 
     std::optional<TemporaryFolder> frames;
-    if (video) frames.emplace(command.output);
-    const std::string pattern = video ? (frames->path() / "%06d.png").string() : command.output;
-    const auto file = [&](std::size_t i) { return numbered(pattern, i, plan.columns()); };
-    if (const fs::path folder = file(0).parent_path(); !folder.empty()) {
+    if (sweep.video) sweep.pattern = (frames.emplace(command.output).path() / "%06d.png").string();
+    if (const fs::path folder = sweep.file(0).parent_path(); !folder.empty()) {
         std::error_code ignored;  // writing will say what is wrong
         fs::create_directories(folder, ignored);
     }
-
-    std::vector<std::string> numbers(command.numbers ? plan.count() : 0);
     const CancelOnSignal cancel;
-    {
-        std::optional<Progress> progress(std::in_place, plan.count());
-        std::size_t drawn = 0;
-        const bool whole =
-            run_batch({.count = plan.count(),
-                       .jobs = command.jobs,
-                       .start =
-                           [&] {
-                               auto studio = std::make_shared<Studio>(
-                                   command.context, plan.count() / static_cast<std::size_t>(command.jobs));
-                               return [&, studio](std::size_t i) -> Finish {
-                                   auto capture = std::make_shared<Capture>(studio->capture(
-                                       scenes[i], capture_options(command, command.numbers.has_value())));
-                                   return [&, i, capture] {
-                                       if (video)
-                                           write_frame(file(i), capture->image, command.output);
-                                       else
-                                           write_png(file(i), capture->image);
-                                       return std::move(capture->numbers);
-                                   };
-                               };
-                           },
-                       .done =
-                           [&](std::size_t i, std::string text) {
-                               if (command.numbers) numbers[i] = std::move(text);
-                               ++drawn;
-                               progress->step();
-                           }});
-        progress.reset();
-        if (!whole || CancelOnSignal::asked()) {
-            std::fprintf(stderr, "normalscope: cancelled after %zu of %zu pictures; %s\n", drawn, plan.count(),
-                         video ? "no video was written" : "those that were written are whole");
-            return CancelOnSignal::exit_code();
-        }
-    }
-
-    if (command.sheet)
-        write_png(
-            *command.sheet,
-            contact_sheet(plan.count(), command.variations.size() == 2 ? plan.columns() : near_square(plan.count()),
-                          [&](std::size_t i) { return read_png(file(i)); }));
-    if (command.numbers) {
-        Json all = Json::array();
-        for (std::size_t i = 0; i < plan.count(); ++i) {
-            Json entry{{"set", plan.settings(i)}};
-            entry.update(Json::parse(numbers[i]));
-            all.push_back(std::move(entry));
-        }
-        write_file(*command.numbers, json_text(all) + "\n");
-    }
-    if (video && !write_video(frames->path(), plan.count(), command.frames_per_second, command.output)) {
+    std::optional<CrashLine> crash_line;
+    if (command.jobs == 1) crash_line.emplace();  // of other processes run_jobs tells
+    if (!draw_all(sweep)) return CancelOnSignal::exit_code();
+    const int noted = print_notes(sweep) > 0 && command.fail_on_note ? 1 : 0;
+    if (command.sheet) write_sheet(sweep);
+    if (command.numbers) write_numbers(sweep);
+    if (sweep.video && !write_video(frames->path(), count, command.frames_per_second, command.output)) {
         std::fprintf(stderr, "normalscope: cancelled; no video was written\n");
         return CancelOnSignal::exit_code();
     }
-    if (command.numbers != "/dev/stdout") {
-        const std::string count = std::to_string(plan.count()) + " pictures: ";
-        write_file(
-            "/dev/stdout",
-            count + (video ? command.output : file(0).string() + " to " + file(plan.count() - 1).string()) + "\n");
-    }
-    return 0;
+    if (!command.numbers || !command.numbers->is_standard())
+        print(std::to_string(count) + " pictures: " +
+              (sweep.video ? command.output : sweep.file(0).string() + " to " + sweep.file(count - 1).string()) + "\n");
+    return noted;
 }
 
 }  // namespace normalscope

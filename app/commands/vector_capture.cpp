@@ -8,7 +8,7 @@
 namespace normalscope {
 
 std::string vector_capture(const Scene& scene, const PictureArguments& arguments) {
-    const float scale = arguments.scale.value_or(usual_scale(arguments.size, false));
+    const float scale = arguments.scale.value_or(usual_scale(arguments.size));
     SurfaceCache surfaces;
     const Frame frame = make_frame(scene, surfaces.get(scene),
                                    {.rect = {{0, 0}, arguments.size}, .pixel_scale = scale, .handles = false});

@@ -4,7 +4,6 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -23,12 +22,5 @@ struct Verdict {
 };
 
 Verdict judge(const Image& actual, const Image& expected, const Tolerance& tolerance);
-
-/// Writes what somebody who looks into a failure needs beside the actual picture's file: OUT.expected.png, unless that is
-/// the reference itself, and OUT.difference.png.
-void leave_evidence(const std::filesystem::path& actual_file, const Image& actual,
-                    const std::filesystem::path& reference, const Image& expected, const Tolerance& tolerance);
-/// Removes what leave_evidence left in an earlier run: it would tell of a failure that is none any more.
-void remove_evidence(const std::filesystem::path& actual_file, const std::filesystem::path& reference);
 
 }  // namespace normalscope

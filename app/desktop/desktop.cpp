@@ -3,6 +3,7 @@
 #include "desktop/cursors.h"
 #include "desktop/gl_gui.h"
 #include "desktop/keys.h"
+#include "desktop/recovery.h"
 #include "desktop/settings.h"
 #include "gl/renderer.h"
 #include "gl/target.h"
@@ -24,7 +25,7 @@ constexpr int kSamples = 4;
 /// The viewer in a window of GLFW's, drawn by GL.
 class Desktop final : public Host {
 public:
-    Desktop(Scene scene, const std::string& file) : viewer_(*this, std::move(scene), file, settings_.remembered) {
+    Desktop(Scene scene, const std::string& file) : viewer_(*this, std::move(scene), file, remembered()) {
         window_.choose_monitor(settings_.monitor);
         connect();
     }
@@ -84,6 +85,7 @@ public:
     void toggle_full_screen() override { window_.toggle_full_screen(); }
     void to_next_monitor() override { window_.to_next_monitor(); }
     void close() override { glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE); }
+    void keep(const std::string& scene) override { recovery_.keep(scene); }
 
 private:
     void connect();
@@ -106,7 +108,14 @@ private:
         rough_target_.reset();
     }
 
+    Remembered remembered() const {
+        Remembered remembered = settings_.remembered;
+        remembered.unsaved = recovery_.left_behind();
+        return remembered;
+    }
+
     Settings settings_ = load_settings();
+    Recovery recovery_{settings_folder()};
     Window window_{"Normalscope", settings_.place};
     struct Current {  // before everything that needs GL
         explicit Current(Window& window) { window.make_current(); }
@@ -147,6 +156,10 @@ void Desktop::connect() {
     });
     glfwSetCharCallback(w, [](GLFWwindow* window, unsigned letter) { viewer_of(window).type(letter); });
     glfwSetWindowFocusCallback(w, [](GLFWwindow* window, int focused) { viewer_of(window).focus(focused != 0); });
+    glfwSetWindowCloseCallback(w, [](GLFWwindow* window) {
+        glfwSetWindowShouldClose(window, GLFW_FALSE);  // not yet
+        viewer_of(window).close();
+    });
     glfwSetDropCallback(w, [](GLFWwindow* window, int count, const char** files) {
         if (count > 0) viewer_of(window).open(files[0]);
     });

@@ -19,14 +19,8 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostLessons = 200;
 
 std::optional<std::filesystem::path> settings_file() {
-    const auto from = [](const char* variable) {
-        const char* value = std::getenv(variable);
-        return std::filesystem::path(value ? value : "");
-    };
-    if (const auto config = from("XDG_CONFIG_HOME"); config.is_absolute())
-        return config / "normalscope" / "settings.json";
-    if (const auto home = from("HOME"); home.is_absolute()) return home / ".config" / "normalscope" / "settings.json";
-    return std::nullopt;
+    const auto folder = settings_folder();
+    return folder ? std::optional(*folder / "settings.json") : std::nullopt;
 }
 
 std::optional<glm::ivec2> pair(const Json& json, const char* key) {
@@ -52,6 +46,16 @@ std::map<std::string, std::size_t> steps(const Json& json) {
 }
 
 }  // namespace
+
+std::optional<std::filesystem::path> settings_folder() {
+    const auto from = [](const char* variable) {
+        const char* value = std::getenv(variable);
+        return std::filesystem::path(value ? value : "");
+    };
+    if (const auto config = from("XDG_CONFIG_HOME"); config.is_absolute()) return config / "normalscope";
+    if (const auto home = from("HOME"); home.is_absolute()) return home / ".config" / "normalscope";
+    return std::nullopt;
+}
 
 Settings load_settings() {
     Settings settings;

@@ -3,6 +3,8 @@
 #include "platform/window.h"
 #include "viewer/remembered.h"
 
+#include <filesystem>
+#include <optional>
 #include <string>
 
 namespace normalscope {
@@ -13,6 +15,9 @@ struct Settings {
     std::string monitor;  ///< chosen for presenting; empty: the one that the window is on
     Remembered remembered;
 };
+
+/// Where the settings are; empty where there is no home.
+std::optional<std::filesystem::path> settings_folder();
 
 /// A missing or damaged file gives the defaults: nobody's work depends on it.
 Settings load_settings();

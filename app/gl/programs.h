@@ -13,11 +13,13 @@ struct BackdropProgram : Program {
     explicit BackdropProgram(std::string_view define = {}) : Program("backdrop.vert", "backdrop.frag", define) {}
 
     Slot<glm::mat4> world_from_clip{*this, "world_from_clip"};
+    Slot<float> ray_depth{*this, "ray_depth"};
     Slot<glm::vec3> eye{*this, "eye"};
     Slot<glm::vec3> top_color{*this, "top_color"};
     Slot<glm::vec3> bottom_color{*this, "bottom_color"};
     Slot<glm::vec3> grid_color{*this, "grid_color"};
     Slot<float> ground{*this, "ground"};
+    Slot<float> unit{*this, "unit"};
     Slot<float> grid_amount{*this, "grid_amount"};
     Slot<glm::mat3> shadow{*this, "shadow"};
 };
@@ -35,6 +37,7 @@ struct TraceProgram : Program {
     explicit TraceProgram(std::string_view formula) : Program("trace.vert", "trace.frag", {}, formula) {}
 
     Slot<glm::mat4> space_from_clip{*this, "space_from_clip"};
+    Slot<float> ray_depth{*this, "ray_depth"};
     Slot<glm::vec3> eye{*this, "eye"};
     Slot<glm::vec2> shift{*this, "shift"};
     Slot<glm::vec2> tile{*this, "tile"};
@@ -81,6 +84,7 @@ struct SceneProgram : Program {
     Slot<glm::vec3> inside_color{*this, "inside_color"};
     Slot<float> ghost{*this, "ghost"};
     Slot<glm::vec4> tint{*this, "tint"};
+    Slot<glm::vec3> paper{*this, "paper"};
 };
 
 /// Boxes in world space, to ask whether anything of them would be seen.
@@ -90,23 +94,26 @@ struct BoxProgram : Program {
     Slot<glm::mat4> clip_from_world{*this, "clip_from_world"};
 };
 
-/// The mesh, coloured by the naive rule's error.
-struct ErrorMapProgram : SceneProgram {
-    explicit ErrorMapProgram(std::string_view define = "ERROR_MAP", std::string_view vertex_file = "scene.vert",
-                             std::string_view generated = "")
+/// A surface, lit; or with ERROR_MAP coloured by the naive rule's error, with NORMALS by its normals. With PROJECTIVE what
+/// M does to a place is not affine.
+struct SurfaceProgram : SceneProgram {
+    explicit SurfaceProgram(std::string_view define, std::string_view vertex_file = "scene.vert",
+                            std::string_view generated = "")
         : SceneProgram(define, vertex_file, generated) {}
 
     Slot<glm::mat4> naive_matrix{*this, "naive_matrix"};
     Slot<float> naive_w{*this, "naive_w"};
     Slot<glm::mat3> inverse_transpose_matrix{*this, "inverse_transpose_matrix"};
+    Slot<glm::mat4> planes{*this, "planes"};
     Slot<std::span<const glm::vec3>> ramp{*this, "ramp"};
 };
 
-/// What TraceProgram found, in the scene's light; or coloured by error, with `define` ERROR_MAP.
-struct TracedProgram : ErrorMapProgram {
-    explicit TracedProgram(std::string_view define) : ErrorMapProgram(define, "trace.vert", "#define TRACED\n") {}
+/// What TraceProgram found, as a SurfaceProgram.
+struct TracedProgram : SurfaceProgram {
+    explicit TracedProgram(std::string_view define) : SurfaceProgram(define, "trace.vert", "#define TRACED\n") {}
 
     Slot<glm::mat4> space_from_clip{*this, "space_from_clip"};
+    Slot<float> ray_depth{*this, "ray_depth"};
     Slot<glm::vec2> shift{*this, "shift"};
     Slot<glm::vec2> tile{*this, "tile"};
     Slot<int> tiles{*this, "tiles"};

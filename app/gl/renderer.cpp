@@ -1,15 +1,19 @@
 #include "gl/renderer.h"
 
+#include "core/math/projective.h"
 #include "core/picture/drawn_box.h"
 #include "gl/arrow_field.h"
 #include "gl/programs.h"
+#include "gl/rectangles.h"
 #include "gl/tracer.h"
 #include "gl/vertex_data.h"
 
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <string>
 
 namespace normalscope {
 
@@ -33,8 +37,8 @@ struct Renderer::Resources {
     std::optional<ResolvingProgram> resolving_program;
     SceneProgram scene_program;
     std::optional<SceneProgram> arrow_field_program;
-    std::optional<ErrorMapProgram> error_map_program;  // compiled when first wanted
-    std::optional<TracedProgram> traced_program, traced_error_program;
+    std::map<std::string, SurfaceProgram> surface_programs;  // by what they define; compiled when first wanted
+    std::map<std::string, TracedProgram> traced_programs;
     std::optional<Tracer> tracer;
     int draft_coarseness = 2;
     PaneVertices backdrop;
@@ -42,18 +46,15 @@ struct Renderer::Resources {
 
     std::shared_ptr<const Surface> surface;
     std::optional<MeshVertices> mesh;
-    std::optional<ArrowVertices> arrows;
-    std::optional<ArrowField> arrow_field;  // in place of those, where there are a great many
+    std::map<ArrowLook, ArrowVertices> arrows;  // made when first wanted
+    std::optional<ArrowField> arrow_field;      // in place of those, where there are a great many
 
     void hold(const std::shared_ptr<const Surface>& wanted) {
         if (surface == wanted) return;
         mesh.emplace(wanted->mesh);
-        arrows.reset();
+        arrows.clear();
         arrow_field.reset();
-        if (wanted->arrows.size() >= ArrowField::kFrom)
-            arrow_field.emplace(wanted->arrows);
-        else
-            arrows.emplace(wanted->arrows);
+        if (wanted->arrows.size() >= ArrowField::kFrom) arrow_field.emplace(wanted->arrows);
         surface = wanted;
     }
 
@@ -72,37 +73,19 @@ private:
     void begin(const SceneProgram& program, const Frame& frame, const Pane& pane) const;
     static void set_normals(const SceneProgram& program, const NormalMap& normals);
     static void set_look(const SceneProgram& program, const Pane& pane, const SurfaceDraw& draw);
-    static void set_error_maps(const ErrorMapProgram& program, const Frame& frame);
+    static void set_error_maps(const SurfaceProgram& program, const Frame& frame);
 };
 
 namespace {
 
-// From the top left to the lower left, as GL counts.
-PixelRect upright(PixelRect rect, const Target& target) {
-    rect.origin.y = target.size().y - rect.origin.y - rect.size.y;
-    return rect;
-}
-
-void scissor(const PixelRect& rect) { glScissor(rect.origin.x, rect.origin.y, rect.size.x, rect.size.y); }
-
-void look_at(const PixelRect& rect) {
-    glViewport(rect.origin.x, rect.origin.y, rect.size.x, rect.size.y);
-    scissor(rect);
-}
-
-// Of pixels that count from the lower left; where they have none in common, a rectangle of no size within the first.
-PixelRect common(const PixelRect& a, const PixelRect& b) {
-    const glm::ivec2 end = a.origin + a.size, low = glm::clamp(b.origin, a.origin, end);
-    return {low, glm::clamp(b.origin + b.size, low, end) - low};
-}
-
-// What of a rectangle lies below, above, left and right of a smaller one within it.
-std::array<PixelRect, 4> around(const PixelRect& whole, const PixelRect& part) {
-    const glm::ivec2 low = whole.origin, end = low + whole.size, from = part.origin, to = from + part.size;
-    return {PixelRect{low, {whole.size.x, from.y - low.y}},
-            {{low.x, to.y}, {whole.size.x, end.y - to.y}},
-            {{low.x, from.y}, {from.x - low.x, part.size.y}},
-            {{to.x, from.y}, {end.x - to.x, part.size.y}}};
+// What the program of a surface's shaders defines; nothing for the one that is always there.
+std::string defines(const Frame& frame, const SurfaceDraw& draw) {
+    std::string result;
+    if (draw.shows == SurfaceColor::Error && frame.error_maps) result = "ERROR_MAP";
+    if (draw.shows == SurfaceColor::Normals) result = "NORMALS";
+    if (!is_affine(glm::dmat4(draw.world_from_object)))
+        result += (result.empty() ? "" : "\n#define ") + std::string("PROJECTIVE");
+    return result;
 }
 
 }  // namespace
@@ -137,11 +120,12 @@ void Renderer::Resources::set_look(const SceneProgram& program, const Pane& pane
     program.ghost = draw.color.a < 1.0f ? 1.0f : 0.0f;
 }
 
-void Renderer::Resources::set_error_maps(const ErrorMapProgram& program, const Frame& frame) {
-    const auto& [naive, right] = *frame.error_maps;
-    program.naive_matrix = naive.matrix;
-    program.naive_w = static_cast<float>(naive.w);
-    program.inverse_transpose_matrix = glm::dmat3(right.matrix);
+void Renderer::Resources::set_error_maps(const SurfaceProgram& program, const Frame& frame) {
+    const auto& [shown, planes] = *frame.error_maps;
+    program.naive_matrix = shown.matrix;
+    program.naive_w = static_cast<float>(shown.w);
+    program.inverse_transpose_matrix = glm::dmat3(planes);
+    program.planes = planes;
     program.ramp = std::span<const glm::vec3>(kErrorRamp);
 }
 
@@ -149,11 +133,13 @@ void Renderer::Resources::draw_backdrop(const BackdropProgram& program, const Fr
     const ThemeColors colors = theme_colors(frame.theme);
     program.use();
     program.world_from_clip = glm::mat4(glm::inverse(pane.view.clip_from_world()));
+    program.ray_depth = static_cast<float>(pane.view.ray_depth());
     program.eye = pane.view.eye().xyz;
     program.top_color = frame.plain_ground.value_or(colors.background_top);
     program.bottom_color = frame.plain_ground.value_or(colors.background_bottom);
     program.grid_color = colors.grid;
     program.ground = frame.ground_height.value_or(0.0f);
+    program.unit = static_cast<float>(frame.unit);
     program.grid_amount = frame.ground_height ? 1.0f : 0.0f;
     program.shadow = frame.shadow_from_ground;
     backdrop.draw();
@@ -193,13 +179,11 @@ void Renderer::Resources::draw_backdrop(const Frame& frame, const Pane& pane, co
 void Renderer::Resources::draw_surface(const Frame& frame, const Pane& pane, const SurfaceDraw& draw) {
     const bool as_mesh = frame.quality == Quality::Sketch && !(tracer && tracer->ready(*frame.surface->implicit));
     if (draw.traced_object_from_world && !as_mesh) return draw_traced(frame, pane, draw);
+    const std::string wanted = defines(frame, draw);
     const SceneProgram* program = &scene_program;
-    if (draw.by_error && frame.error_maps) {
-        if (!error_map_program) error_map_program.emplace();
-        program = &*error_map_program;
-    }
+    if (!wanted.empty()) program = &surface_programs.try_emplace(wanted, wanted).first->second;
     begin(*program, frame, pane);
-    if (program != &scene_program) set_error_maps(*error_map_program, frame);
+    if (draw.shows == SurfaceColor::Error && frame.error_maps) set_error_maps(surface_programs.at(wanted), frame);
     set_look(*program, pane, draw);
     program->world_from_object = draw.world_from_object;
     program->tint = draw.color;
@@ -217,18 +201,17 @@ void Renderer::Resources::draw_traced(const Frame& frame, const Pane& pane, cons
     if (fine) shifts = sample_places();
     for (glm::vec2& place : shifts) place -= 0.5f;
     if (!tracer) tracer.emplace();
-    const bool by_error = draw.by_error && frame.error_maps;
-    std::optional<TracedProgram>& wanted = by_error ? traced_error_program : traced_program;
-    if (!wanted) wanted.emplace(by_error ? "ERROR_MAP" : "");
+    const std::string wanted = defines(frame, draw);
+    const TracedProgram& program = traced_programs.try_emplace(wanted, wanted).first->second;
     tracer->trace(*frame.surface->implicit, pane.view, (pane.rect.size + coarseness - 1) / coarseness,
                   *draw.traced_object_from_world, shifts);
 
-    const TracedProgram& program = *wanted;
     begin(program, frame, pane);
     set_look(program, pane, draw);
-    if (by_error) set_error_maps(program, frame);
+    if (draw.shows == SurfaceColor::Error && frame.error_maps) set_error_maps(program, frame);
     program.tint = draw.color;
     program.space_from_clip = glm::mat4(glm::inverse(pane.view.clip_from_world()));
+    program.ray_depth = static_cast<float>(pane.view.ray_depth());
     program.object_from_world = glm::mat3(*draw.traced_object_from_world);
     program.mirrored = draw.mirrored ? 1.0f : 0.0f;
     std::array<GLint, 4> viewport{}, scissor{};
@@ -281,18 +264,19 @@ void Renderer::Resources::draw_arrows(const Frame& frame, const Pane& pane) {
         if (arrow_field)
             arrow_field->draw(program, draw, pane.view);
         else
-            arrows->draw();
+            arrows.try_emplace(draw.look, surface->arrows, draw.look).first->second.draw();
     };
     for (const ArrowDraw& draw : pane.arrows) {
         program.world_from_object = draw.world_from_object;
         set_normals(program, draw.normals);
         program.tint = glm::vec4(draw.color, 1.0f);
+        program.paper = theme_colors(frame.theme).background_top;
         program.shaft_radius = draw.radius;
         const float head =
             std::min(ArrowProportions::kHeadLength * draw.radius, ArrowProportions::kLongestHead * draw.length);
         program.head_length = head;
         draw_all(draw, draw.length);
-        if (draw.two_heads && !(arrow_field && !arrow_field->has_heads()))
+        if (draw.look == ArrowLook::TwoHeads && !(arrow_field && !arrow_field->has_heads()))
             draw_all(draw, draw.length - ArrowProportions::kToSecondHead * head);
     }
     glDisable(GL_CULL_FACE);
@@ -361,17 +345,5 @@ void Renderer::draw_again(const Frame& frame, Target& target) {
     }
     glDisable(GL_SCISSOR_TEST);
 }
-
-namespace {
-
-std::string gl_string(GLenum which) {
-    const GLubyte* text = glGetString(which);
-    return text ? reinterpret_cast<const char*>(text) : "unknown";
-}
-
-}  // namespace
-
-std::string renderer_name() { return gl_string(GL_RENDERER); }
-std::string gl_version() { return gl_string(GL_VERSION); }
 
 }  // namespace normalscope

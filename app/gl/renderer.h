@@ -28,9 +28,4 @@ private:
     std::unique_ptr<Resources> resources_;
 };
 
-/// What GL calls itself, such as "llvmpipe (LLVM 15.0.6, 256 bits)".
-std::string renderer_name();
-/// Such as "3.3 (Core Profile) Mesa 22.3.6".
-std::string gl_version();
-
 }  // namespace normalscope

@@ -15,7 +15,8 @@ namespace {
 void check_complete(glm::ivec2 size, int samples) {
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && glGetError() == GL_NO_ERROR) return;
     throw ContextError("this driver cannot draw " + std::to_string(size.x) + "x" + std::to_string(size.y) +
-                       " pixels with " + std::to_string(samples) + " samples; use a smaller size or fewer samples");
+                       " pixels with " + std::to_string(samples) +
+                       " samples, or is out of memory; use a smaller size or fewer samples");
 }
 
 int supported(int samples) {

@@ -13,6 +13,7 @@ namespace normalscope {
 namespace {
 
 constexpr int kMostExactDegree = 10;  // beyond, floats no longer tell the coefficients apart
+constexpr int kMostExactDegreeInDoubles = 20;
 constexpr int kOtherwise = 6;
 
 // |x|, min or a root has kinks, which hide between an interpolant's samples.
@@ -38,12 +39,22 @@ bool has_kinks(const formulas::Graph& graph) {
     return false;
 }
 
-std::string generated(const ImplicitSurface& surface) {
-    const bool exact = surface.degree() && *surface.degree() <= kMostExactDegree;
+std::string generated(const ImplicitSurface& surface, formulas::Precision precision) {
+    const int most = precision == formulas::Precision::Double ? kMostExactDegreeInDoubles : kMostExactDegree;
+    const bool exact = surface.degree() && *surface.degree() <= most;
     const int degree = exact ? std::max(*surface.degree(), 1) : kOtherwise;
-    return surface.glsl().source + formulas::ray_samples_glsl(degree) +
-           "const float CAUTION = " + (has_kinks(surface.formula().graph) ? "24.0" : "2.0") + ";\n" +
+    return surface.glsl(precision).source + formulas::ray_samples_glsl(degree, precision) +
+           "const REAL CAUTION = " + (has_kinks(surface.formula().graph) ? "24.0" : "2.0") + ";\n" +
            "const bool POLYNOMIAL = " + (exact ? "true" : "false") + ";\n";
+}
+
+bool driver_has_doubles() {
+    GLint count = 0;
+    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLuint i = 0; i < static_cast<GLuint>(count); ++i)
+        if (reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i)) == std::string_view("GL_ARB_gpu_shader_fp64"))
+            return true;
+    return false;
 }
 
 // Where the box lies in the picture, in GL's pixels, and one pixel around it; the whole picture where a part is behind the eye.
@@ -81,13 +92,19 @@ glm::vec2 Tracer::tile() const { return 2.0f * static_cast<float>(kTile) / glm::
 
 bool Tracer::ready(const ImplicitSurface& surface) const {
     // All else that the program is made of follows from the formula.
-    return program_ && formula_ == surface.glsl().source;
+    return program_ && formula_ == surface.glsl(precision(surface)).source;
+}
+
+formulas::Precision Tracer::precision(const ImplicitSurface& surface) const {
+    return has_doubles_ ? surface.precision() : formulas::Precision::Single;
 }
 
 void Tracer::hold(const ImplicitSurface& surface) {
+    if (!asked_) has_doubles_ = driver_has_doubles();
+    asked_ = true;
     if (ready(surface)) return;
-    program_.emplace(generated(surface));
-    formula_ = surface.glsl().source;
+    program_.emplace(generated(surface, precision(surface)));
+    formula_ = surface.glsl(precision(surface)).source;
 }
 
 void Tracer::hold(glm::ivec2 size, std::size_t layers) {
@@ -150,6 +167,7 @@ void Tracer::trace(const ImplicitSurface& surface, const CameraView& view, glm::
     glScissor(box_.origin.x, box_.origin.y, box_.size.x, box_.size.y);
     program_->use();
     program_->space_from_clip = glm::mat4(object_from_world * glm::inverse(view.clip_from_world()));
+    program_->ray_depth = static_cast<float>(view.ray_depth());
     const glm::dvec4 eye = object_from_world * glm::dvec4(view.eye().xyz, 1.0);
     program_->eye = glm::vec3(glm::dvec3(eye) / eye.w);
     program_->box_low = glm::vec3(surface.region()->low);

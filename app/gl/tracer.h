@@ -55,7 +55,11 @@ private:
     void fill_tiles();
     void clear_around_box();
 
+    formulas::Precision precision(const ImplicitSurface& surface) const;
+
     std::string formula_;  // in GLSL, that the program is made for
+    bool has_doubles_ = false;
+    bool asked_ = false;
     std::optional<TraceProgram> program_;
     std::optional<TilesProgram> tiles_program_;
     glm::ivec2 size_{0}, tile_counts_{0};

@@ -15,14 +15,15 @@ namespace {
 
 // The fewer arrows, the rounder each: their triangles are what a frame costs on a processor. scene.vert turns the shaft's
 // one half to the eye.
-std::vector<Vertex> arrow_shape(int head_sides) {
+std::vector<Vertex> arrow_shape(int head_sides, ArrowLook look) {
     constexpr float kSlant = ArrowProportions::kHeadRadius / ArrowProportions::kHeadLength;
     const int half = head_sides / 2;
+    const float width = look == ArrowLook::Dashed ? ArrowProportions::kDashedWidth : 1.0f;
     // On a ring at a multiple of the angle between the head's sides.
     const auto corner = [&](float step, float radius, float along, float outward, float axial) {
         const float a = glm::two_pi<float>() * step / static_cast<float>(head_sides);
         const glm::vec2 out(std::cos(a), std::sin(a));
-        return Vertex{{radius * out, along}, {outward * out, axial}};
+        return Vertex{{width * radius * out, along}, {outward * out, axial}};
     };
     const auto on_shaft = [&](int i, float along) {
         return corner(static_cast<float>(i * half) / static_cast<float>(half - 1), 1.0f, along, 1.0f, 0.0f);
@@ -32,16 +33,32 @@ std::vector<Vertex> arrow_shape(int head_sides) {
     };
     constexpr float kWide = ArrowProportions::kHeadRadius;
     std::vector<Vertex> corners;
-    for (int i = 0; i < half - 1; ++i) {
-        const Vertex a = on_shaft(i, 0.0f), b = on_shaft(i + 1, 0.0f), c = on_shaft(i + 1, 1.0f), d = on_shaft(i, 1.0f);
-        corners.insert(corners.end(), {a, b, c, a, c, d});
+    const int pieces = look == ArrowLook::Dashed ? ArrowProportions::kDashes : 1;
+    for (int piece = 0; piece < pieces; ++piece) {
+        const float each = 1.0f / static_cast<float>(2 * pieces - 1), from = static_cast<float>(2 * piece) * each,
+                    to = piece + 1 == pieces ? 1.0f : from + each;
+        for (int i = 0; i < half - 1; ++i) {
+            const Vertex a = on_shaft(i, from), b = on_shaft(i + 1, from), c = on_shaft(i + 1, to), d = on_shaft(i, to);
+            corners.insert(corners.end(), {a, b, c, a, c, d});
+        }
     }
-    for (int i = 0; i < head_sides; ++i)
-        corners.insert(corners.end(), {on_head(i, kWide, 1.0f, 1.0f, kSlant), on_head(i + 1, kWide, 1.0f, 1.0f, kSlant),
-                                       corner(static_cast<float>(i) + 0.5f, 0.0f, 2.0f, 1.0f, kSlant)});
-    for (int i = 1; i + 1 < head_sides; ++i)  // under the head
-        corners.insert(corners.end(), {on_head(0, kWide, 1.0f, 0.0f, -1.0f), on_head(i + 1, kWide, 1.0f, 0.0f, -1.0f),
-                                       on_head(i, kWide, 1.0f, 0.0f, -1.0f)});
+    const auto head = [&](float wide, float tip, bool inside_out) {
+        const std::size_t first = corners.size();
+        for (int i = 0; i < head_sides; ++i)
+            corners.insert(corners.end(),
+                           {on_head(i, wide, 1.0f, 1.0f, kSlant), on_head(i + 1, wide, 1.0f, 1.0f, kSlant),
+                            corner(static_cast<float>(i) + 0.5f, 0.0f, tip, 1.0f, kSlant)});
+        for (int i = 1; i + 1 < head_sides; ++i)  // under the head
+            corners.insert(corners.end(), {on_head(0, wide, 1.0f, 0.0f, -1.0f), on_head(i + 1, wide, 1.0f, 0.0f, -1.0f),
+                                           on_head(i, wide, 1.0f, 0.0f, -1.0f)});
+        for (std::size_t i = first; inside_out && i < corners.size(); i += 3) std::swap(corners[i], corners[i + 1]);
+    };
+    head(kWide, 2.0f, look == ArrowLook::Hollow);
+    if (look != ArrowLook::Hollow) return corners;
+    // Turned inside out, the head shows its far side only: a rim about a smaller one of paper.
+    const std::size_t first = corners.size();
+    head(ArrowProportions::kHollow * kWide, 1.0f + ArrowProportions::kHollow, false);
+    for (std::size_t i = first; i < corners.size(); ++i) corners[i].own_color = glm::u8vec4(255);
     return corners;
 }
 
@@ -84,8 +101,9 @@ void MeshVertices::draw() const {
     glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
 }
 
-ArrowVertices::ArrowVertices(std::span<const Site> sites) : site_count_(static_cast<GLsizei>(sites.size())) {
-    const std::vector<Vertex> shape = arrow_shape(sites.size() > 60 ? 6 : 8);
+ArrowVertices::ArrowVertices(std::span<const Site> sites, ArrowLook look)
+    : site_count_(static_cast<GLsizei>(sites.size())) {
+    const std::vector<Vertex> shape = arrow_shape(sites.size() > 60 ? 6 : 8, look);
     shape_count_ = static_cast<GLsizei>(shape.size());
     std::vector<SiteVertex> vertices;
     for (const Site& site : sites) vertices.push_back(site_vertex(site));

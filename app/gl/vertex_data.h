@@ -50,7 +50,7 @@ private:
 /// One arrow's shape, drawn at every site.
 class ArrowVertices {
 public:
-    explicit ArrowVertices(std::span<const Site> sites);
+    ArrowVertices(std::span<const Site> sites, ArrowLook look);
     void draw() const;
 
 private:

@@ -3,16 +3,23 @@
 #include "core/base/context_choice.h"
 #include "platform/context.h"
 
+#include <cstddef>
 #include <memory>
 
 namespace normalscope {
 
-/// Asks Mesa's software driver to compile shaders quickly rather than well, unless the user's environment already says
-/// something about it: for a single picture, optimising takes longer than it saves. Call it before any thread starts.
-void prefer_quick_shader_compilation();
+/// What a context without a display shall be.
+struct ContextOptions {
+    ContextChoice choice = ContextChoice::Auto;
+    /// Shaders compiled quickly rather than well, by Mesa's software driver: for a single picture, optimising takes longer
+    /// than it saves.
+    bool quick_shaders = false;
+    std::size_t threads = 0;  ///< that Mesa's software driver draws with; 0: one a processor
+};
 
-/// A context without a display; Auto takes OSMesa, or else EGL. Both libraries are looked for at run time, since newer
-/// Mesa has no OSMesa. Throws ContextError, naming what was tried.
-std::unique_ptr<Context> make_offscreen_context(ContextChoice kind);
+/// Auto takes OSMesa, or else EGL. Both libraries are looked for at run time, since newer Mesa has no OSMesa. What the
+/// user's environment says about shaders and threads counts more than the options. Throws ContextError, naming what was
+/// tried. Call it while no other thread looks at the environment.
+std::unique_ptr<Context> make_offscreen_context(const ContextOptions& options);
 
 }  // namespace normalscope

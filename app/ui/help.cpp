@@ -38,27 +38,22 @@ constexpr Line kLook[]{
 constexpr Line kRulesKeys[]{
     {"N", "naive: M n"},          {"I", "inverse transpose: (M⁻¹)ᵀ n"},
     {"C", "cofactor: cof(M) n"},  {"V", "next view: single, split, overlay"},
-    {"G", "ghost of the object"}, {"E", "map of the naive rule's error"},
+    {"G", "ghost of the object"}, {"E", "light, error map, normals"},
     {"T", "light or dark theme"},
 };
 constexpr Line kWork[]{
-    {"R", "reset the transform"},
-    {"Ctrl Z", "undo"},
-    {"Ctrl Shift Z", "redo (Ctrl+Y, too)"},
-    {"Ctrl O", "open a scene or a mesh"},
-    {"Ctrl S", "save the scene"},
-    {"Ctrl P", "save the picture"},
-    {"Ctrl F", "type a formula"},
-    {"Ctrl C", "copy as a command"},
-    {"Ctrl L", "copy a link to the scene"},
-    {"Ctrl V", "open a copied link"},
-    {"Ctrl Shift L", "copy the equations as LaTeX"},
+    {"R", "reset the transform"},           {"Ctrl Z", "undo"},
+    {"Ctrl Shift Z", "redo (Ctrl+Y, too)"}, {"Ctrl O", "open a scene or a mesh"},
+    {"Ctrl S", "save the scene"},           {"Ctrl Shift S", "save it by another name"},
+    {"Ctrl P", "save the picture"},         {"Ctrl F", "type a formula"},
+    {"Ctrl C", "copy as a command"},        {"Ctrl L", "copy a link to the scene"},
+    {"Ctrl V", "open a copied link"},       {"Ctrl Shift L", "copy the equations as LaTeX"},
 };
 
 constexpr Line kLesson[]{
     {"Page_Down →", "next step"},
     {"Page_Up ←", "previous step"},
-    {"Home", "the step again, as the lesson has it"},
+    {"Home End", "the step again; the last step"},
     {"1 2 3 4", "answer a question"},
     {"B W M", "presenting: black, white, next monitor"},
 };
@@ -124,21 +119,21 @@ void draw_help(const Look& look, const PixelRect& picture, bool& open) {
     ImGui::TextUnformatted("Mouse and keys");
     ImGui::PopFont();
     ImGui::SameLine(width - look.px(24 + 30));
-    if (icon_button(look, "##close", Icon::Close, "Close (Esc)", true, 28)) open = false;
+    if (icon_button(look, "##close", {.icon = Icon::Close, .about = "Close (Esc)", .side = 28})) open = false;
     ImGui::Dummy({0, look.px(4)});
     const ImVec2 top = ImGui::GetCursorPos();
     ImGui::BeginGroup();
     block(look, "In the picture", kMouse);
     ImGui::Dummy({0, look.px(8)});
     block(look, "Looking", kLook);
+    ImGui::Dummy({0, look.px(8)});
+    block(look, "Lessons and lectures", kLesson);
     ImGui::EndGroup();
     ImGui::SetCursorPos({top.x + look.px(kColumnWidth + 24), top.y});
     ImGui::BeginGroup();
     block(look, "Rules and views", kRulesKeys);
     ImGui::Dummy({0, look.px(8)});
     block(look, "Working", kWork);
-    ImGui::Dummy({0, look.px(8)});
-    block(look, "Lessons and lectures", kLesson);
     ImGui::EndGroup();
     const bool elsewhere =
         ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_AnyWindow);

@@ -1,10 +1,12 @@
 #include "ui/interface.h"
 
 #include "core/base/error.h"
+#include "core/lessons/tabs.h"
 #include "ui/help.h"
 #include "ui/kit/file_dialog.h"
 #include "ui/kit/messages.h"
 #include "ui/kit/picture_labels.h"
+#include "ui/kit/question.h"
 #include "ui/kit/side_panel.h"
 #include "ui/panel/panel.h"
 #include "ui/panel/panel_memory.h"
@@ -15,7 +17,6 @@
 #include "ui/tabs/stack_tab.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -28,6 +29,7 @@ struct Interface::State {
     PanelMemory panel;
     DerivationPanel derivation;
     FileDialog dialog;
+    QuestionBox question;
     Messages messages;
     SideMemory side;
     StackTab stack;
@@ -38,10 +40,14 @@ struct Interface::State {
     bool panel_shown = true, help = false;
     double wake = std::numeric_limits<double>::infinity();
     double pointer_rested = 0.0;  ///< since when, by ImGui::GetTime
-    double popups_changed = -1e9;
+    double popups_changed = -1e9, presented_until = -1e9;
     bool popup = false;
 
     void watch_the_clock();
+    /// A dialog is open, or will be in the next frame.
+    bool asks() const { return dialog.is_open() || question.is_open(); }
+    /// Presenting first; a lesson only when asked again, and later: a key that bounces ends no lecture.
+    void leave_one_thing(Scene& scene, Requests& requests);
     std::vector<SideTab> tabs();
     /// Not for a room; nor in an exercise, whose answer it would tell; nor where it and the tab that a lesson opens would
     /// leave too little of the picture.
@@ -54,8 +60,9 @@ struct Interface::State {
 namespace {
 
 constexpr double kPointerShown = 4.0;  // seconds, after it has come to rest
-constexpr std::array<std::string_view, 5> kTabIds{"derivation", "stack", "maps", "error", "ray"};
+constexpr double kLater = 1.0;         // seconds, after presenting
 constexpr std::size_t kDerivation = 0;
+static_assert(kTabs[kDerivation].name == "derivation");
 
 // In a window hardly wider than what stands beside the picture, that covers part of it rather than all.
 constexpr float kNarrowestPicture = 240.0f;  // beside panel and tab; else the panel makes room
@@ -79,7 +86,7 @@ void Interface::State::watch_the_clock() {
     const ImGuiIO& io = ImGui::GetIO();
     const double now = ImGui::GetTime();
     if (io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f) pointer_rested = now;
-    const bool any_popup = dialog.is_open();
+    const bool any_popup = asks();
     if (any_popup != popup) popups_changed = now;
     popup = any_popup;
 
@@ -96,22 +103,38 @@ void Interface::State::watch_the_clock() {
     if (panel.gallery.previews.busy()) wake = std::min(wake, 0.1);
 }
 
+void Interface::State::leave_one_thing(Scene& scene, Requests& requests) {
+    if (lecture.presenting) {
+        requests.end_presenting = true;
+        presented_until = ImGui::GetTime();
+    } else if (!lecture.player.running()) {
+        lecture.leave(scene);
+    } else if (ImGui::GetTime() - presented_until > kLater) {
+        question.ask(Asked::LeavingLesson, "Leave the lesson?", "The step stays, to be played with.",
+                     {"Leave", "Stay"});
+    }
+}
+
 std::vector<SideTab> Interface::State::tabs() {
-    return {{kTabIds[kDerivation],
-             "Derivation",
-             "Why the inverse transpose? Line by line, with the scene's numbers. (D)",
-             {}},
-            {kTabIds[1], "Stack", "The transforms one by one: their inverses, their products, and the wrong orders.",
-             [this](Scene& scene, const SideContext& context) { draw_stack_tab(scene, stack, context); }},
-            {kTabIds[2], "Maps", "The classes of maps, and what each does to normals.",
-             [this](Scene& scene, const SideContext& context) { draw_maps_tab(scene, maps, context); }},
-            {kTabIds[3], "Error", "How far off the naive rule is: over the surface, and against the stretch.",
-             [this](Scene& scene, const SideContext& context) { draw_error_tab(scene, error, context); }},
-            {kTabIds[4], "Ray", "What a ray tracer does with one ray, step by step.", draw_ray_tab}};
+    const auto drawing = [this](std::string_view tab) -> decltype(SideTab::draw) {
+        if (tab == "stack")
+            return [this](Scene& scene, const SideContext& context) { draw_stack_tab(scene, stack, context); };
+        if (tab == "maps")
+            return [this](Scene& scene, const SideContext& context) { draw_maps_tab(scene, maps, context); };
+        if (tab == "error")
+            return [this](Scene& scene, const SideContext& context) { draw_error_tab(scene, error, context); };
+        if (tab == "ray") return draw_ray_tab;
+        return {};  // the derivation has a window of its own
+    };
+    std::vector<SideTab> tabs;
+    for (const Tab& tab : kTabs)
+        tabs.push_back(
+            {tab.name, tab.label, tab.about, drawing(tab.name), tab.name == "ray" ? draw_ray_head : nullptr});
+    return tabs;
 }
 
 bool Interface::State::shows_panel(int framebuffer) const {
-    if (!panel_shown || lecture.presenting || lecture.predict.running()) return false;
+    if (!panel_shown || lecture.presenting || lecture.exercises.running()) return false;
     // Where both leave hardly a picture, the tab that was opened is what one wants to see; closing it is one press.
     const int beside = side_width(framebuffer);
     return beside == 0 || framebuffer - static_cast<int>(look.px(kPanelWidth)) - beside >=
@@ -131,12 +154,12 @@ void Interface::State::want_letters_of_lesson() {
         for (const std::string& line : step.equations) want(line);
         if (!step.question) continue;
         want(step.question->text);
-        for (const Answer& choice : step.question->choices) want(choice.text), want(choice.because);
+        for (const Choice& choice : step.question->choices) want(choice.text), want(choice.because);
     }
 }
 
 int Interface::State::side_width(int framebuffer) const {
-    if (!side.open || lecture.predict.running()) return 0;
+    if (!side.open || lecture.exercises.running()) return 0;
     return std::min(static_cast<int>(look.px(side.open == kDerivation ? kDerivationWidth : kSideWidth)), framebuffer);
 }
 
@@ -151,11 +174,15 @@ bool Interface::prepare(Theme theme, float scale) {
     const bool first = !look.fonts.body, scaled = first || scale != look.scale;
     if (first) {
         ImGuiIO& io = ImGui::GetIO();
-        io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard | ImGuiConfigFlags_NavNoCaptureKeyboard;
+        io.ConfigFlags |= ImGuiConfigFlags_NavNoCaptureKeyboard;
         io.ConfigDragClickToInputText = true;
         io.ConfigInputTextCursorBlink = false;  // a blinking cursor would redraw an idle window
         io.IniFilename = io.LogFilename = nullptr;
     }
+    // Whoever presents has a remote control, whose keys must not begin to wander from button to button.
+    ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
+    flags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+    if (!state_->lecture.presenting) flags |= ImGuiConfigFlags_NavEnableKeyboard;
     if (scaled || theme != look.theme) set_style(look, theme, scale);
     Previews& previews = state_->panel.gallery.previews;
     const bool captions = state_->lecture.talks();
@@ -210,25 +237,29 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
                     .tabs = tabs,
                     .side = s.side,
                     .help = s.help});
-    if (!s.lecture.predict.running())
+    if (!s.lecture.exercises.running())
         draw_side_panel(scene, tabs, s.side, {.look = s.look, .frame = frame, .status = status},
                         static_cast<float>(s.side_width(static_cast<int>(ImGui::GetIO().DisplaySize.x))));
-    if (!ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive() && !s.dialog.is_open() && !ImGui::GetIO().KeyMods &&
+    if (!ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive() && !s.asks() && !ImGui::GetIO().KeyMods &&
         ImGui::IsKeyPressed(ImGuiKey_D, false))
         show_derivation(!derivation_shown());
     advance(s.stack.player, scene);
     const bool help = s.help;
     draw_help(s.look, frame.rect, s.help);
+    const bool asks = s.asks();  // Escape is theirs, also where it has closed them
     s.dialog.draw(s.look, s.letters, requests);
-    if (!help && !s.dialog.is_open() && !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGuiKey_Escape, false) &&
+    s.question.draw(s.look, requests);
+    if (!help && !asks && !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGuiKey_Escape, false) &&
         !s.messages.dismiss()) {
-        if (s.lecture.presenting)
-            requests.end_presenting = true;
-        else
-            s.lecture.leave(scene);
+        s.leave_one_thing(scene, requests);
+    }
+    if (requests.reply && requests.reply->asked == Asked::LeavingLesson) {
+        if (requests.reply->choice == 0) s.lecture.leave(scene);
+        requests.reply.reset();
     }
     if (scene.stack != before) undo_overflow(scene, before, s.messages);
-    s.derivation.draw(s.look, scene, frame, derivation_shown() && !s.lecture.predict.running(), s.look.px(kTabsHeight));
+    s.derivation.draw(s.look, scene, frame, derivation_shown() && !s.lecture.exercises.running(),
+                      s.look.px(kTabsHeight));
     s.letters.want(s.messages.text(), s.look.fonts.body);
     s.letters.want(status.file, s.look.fonts.body);
     s.letters.want(s.panel.formula.draft.text, s.look.fonts.body);
@@ -256,13 +287,12 @@ std::string_view Interface::message() const { return state_->messages.text(); }
 double Interface::redraw_after() const { return std::min(state_->wake, state_->messages.redraw_after()); }
 
 bool Interface::show_tab(std::string_view id) {
-    const auto found = std::ranges::find(kTabIds, id);
-    if (found == kTabIds.end() && !id.empty()) return false;
+    const auto found = std::ranges::find(kTabs, id, &Tab::name);
+    if (found == kTabs.end() && !id.empty()) return false;
     state_->side.open.reset();
-    if (!id.empty()) state_->side.open = static_cast<std::size_t>(found - kTabIds.begin());
+    if (!id.empty()) state_->side.open = static_cast<std::size_t>(found - kTabs.begin());
     return true;
 }
-std::span<const std::string_view> Interface::tabs() { return kTabIds; }
 bool Interface::typing_formula() const { return state_->panel.formula.typing(); }
 bool Interface::playing() const { return state_->stack.player.playing || state_->lecture.moving(); }
 
@@ -280,7 +310,7 @@ void Interface::record_lesson(std::shared_ptr<const Lesson> lesson, const Scene&
 }
 bool Interface::keys_are_free() const {
     const ImGuiIO& io = ImGui::GetIO();
-    return !io.WantTextInput && !io.NavVisible && !ImGui::IsAnyItemActive() && !state_->dialog.is_open();
+    return !io.WantTextInput && !io.NavVisible && !ImGui::IsAnyItemActive() && !state_->asks();
 }
 
 void Interface::edit_formula(Scene& scene) {
@@ -293,6 +323,9 @@ bool Interface::panel_shown() const { return state_->panel_shown; }
 void Interface::ask_open() { state_->dialog.open(FileDialog::For::OpenAny); }
 void Interface::ask_save_scene() { state_->dialog.open(FileDialog::For::SaveScene); }
 void Interface::ask_save_picture() { state_->dialog.open(FileDialog::For::SavePicture); }
-bool Interface::dialog_shown() const { return state_->dialog.is_open(); }
+void Interface::ask(Asked what, std::string title, std::string text, std::vector<std::string> choices) {
+    state_->question.ask(what, std::move(title), std::move(text), std::move(choices));
+}
+bool Interface::dialog_shown() const { return state_->asks(); }
 
 }  // namespace normalscope

@@ -10,9 +10,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace normalscope {
 
@@ -56,10 +56,8 @@ public:
     /// that, Dear ImGui needs two more frames after each event to settle.
     double redraw_after() const;
 
-    /// Opens a tab beside the picture: "derivation", "stack", "maps", "error" or "ray"; an empty name closes it. False for an unknown name.
+    /// Opens a tab beside the picture, by its name (core/lessons/tabs.h); an empty one closes it. False for an unknown name.
     bool show_tab(std::string_view id);
-    /// The names that show_tab knows.
-    static std::span<const std::string_view> tabs();
     /// While the stack or a lesson is being played the scene changes by itself: what it goes through is nothing to be
     /// undone.
     bool playing() const;
@@ -85,6 +83,8 @@ public:
     void ask_open();
     void ask_save_scene();
     void ask_save_picture();
+    /// Asks before anything else goes on; the answer is among the requests.
+    void ask(Asked what, std::string title, std::string text, std::vector<std::string> choices);
     /// A dialog is open, or will be in the next frame: keys are for it alone.
     bool dialog_shown() const;
 

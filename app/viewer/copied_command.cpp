@@ -1,12 +1,13 @@
 #include "viewer/copied_command.h"
 
+#include "core/base/decimal.h"
 #include "core/base/error.h"
-#include "core/lessons/open_scene.h"
+#include "core/base/text.h"
+#include "core/lessons/open.h"
 #include "core/picture/display_scale.h"
-#include "core/scene/scene_settings.h"
+#include "core/scene/setting.h"
 
 #include <cmath>
-#include <cstdio>
 
 namespace normalscope {
 
@@ -20,12 +21,9 @@ std::string capture_command(const Scene& scene, const std::string& file, glm::iv
         base = load_scene(std::string(kDefaultScene));
     }
     command += " -o picture.png --size " + std::to_string(size.x) + "x" + std::to_string(size.y);
-    if (std::abs(scale - usual_scale(size, false)) > 1e-3f) {
-        char text[32];
-        std::snprintf(text, sizeof text, "%.4g", static_cast<double>(scale));
-        command += std::string(" --scale ") + text;
-    }
-    for (const std::string& setting : settings_between(base, scene)) command += " --set " + shell_word(setting);
+    if (std::abs(scale - usual_scale(size)) > 1e-3f)
+        command += " --scale " + with_digits(static_cast<double>(scale), 4);
+    for (const Setting& setting : settings_between(base, scene)) command += " --set " + shell_word(setting.text());
     return command;
 }
 

@@ -17,7 +17,7 @@ public:
         surface_ = surface;
         matrix_ = m.matrix();
         naive_ = naive;
-        errors_ = naive ? error_statistics(surface->mesh, *naive, m.normal_matrices_by_rule()) : std::nullopt;
+        errors_ = naive ? error_statistics(surface->mesh, *naive, m) : std::nullopt;
         return errors_;
     }
 

@@ -3,7 +3,8 @@
 #include "core/explain/explanation.h"
 #include "core/image/png.h"
 #include "core/lessons/link.h"
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
+#include "core/mesh/mesh_file.h"
 #include "core/picture/make_frame.h"
 #include "core/picture/svg.h"
 #include "core/scene/scene_json.h"
@@ -11,6 +12,7 @@
 #include "viewer/viewer.h"
 
 #include <chrono>
+#include <utility>
 
 namespace normalscope {
 
@@ -23,22 +25,84 @@ std::string short_name(const std::string& file) {
     return is_link(file) ? "link" : std::filesystem::path(file).filename().string();
 }
 
+// A relative path means something only where the program was started.
+Scene portable(Scene scene) {
+    if (auto* surface = std::get_if<MeshSurface>(&scene.surface))
+        surface->mesh = std::filesystem::absolute(surface->mesh).string();
+    return scene;
+}
+
 }  // namespace
 
-void Viewer::set_title() { host_.set_title((file_.empty() ? "" : short_name(file_) + " \u2013 ") + "Normalscope"); }
+void Viewer::show_title() {
+    const std::string& file = document_.file();
+    std::string title =
+        (unsaved() ? "\u2022 " : "") + (file.empty() ? "" : short_name(file) + " \u2013 ") + "Normalscope";
+    if (title != title_) host_.set_title(title_ = std::move(title));
+}
+
+void Viewer::close() {
+    wake();
+    if (exercising()) {
+        lecture().leave(document_.scene);  // what there was before may not be saved
+        document_.set_origin(origin_before_exercises_);
+    }
+    if (!unsaved()) {
+        host_.keep("");
+        return host_.close();
+    }
+    gui_.interface.ask(Asked::Closing, "Save the scene?",
+                       "It has been changed since it was " + std::string(document_.has_file() ? "saved." : "opened."),
+                       {"Save", "Discard", "Stay"});
+}
+
+void Viewer::offer(Scene unsaved) {
+    offered_ = std::move(unsaved);
+    gui_.interface.ask(Asked::Recovering, "Go back to the scene of last time?",
+                       "The program ended before it was saved.", {"Go back", "No"});
+}
+
+void Viewer::obey(const Reply& reply) {
+    if (reply.asked == Asked::Recovering) {
+        if (reply.choice == 0 && offered_) document_.recover(std::move(*offered_));
+        offered_.reset();
+        return;
+    }
+    if (reply.choice == 2) return;
+    closes_when_saved_ = reply.choice == 0;
+    if (closes_when_saved_) return save();
+    host_.keep("");
+    host_.close();
+}
+
+void Viewer::keep_unsaved() {
+    if (exercising()) return;  // what there was before is kept
+    const auto unheld = unsaved() ? std::optional(document_.scene) : std::nullopt;
+    if (unheld == kept_) return;
+    host_.keep(unheld ? scene_text(portable(*unheld)) : "");
+    kept_ = unheld;
+}
+
+void Viewer::save() {
+    if (!document_.has_file()) return gui_.interface.ask_save_scene();
+    try {
+        save_scene(document_.file());
+    } catch (const Error& e) {
+        gui_.interface.show_error(e.what());
+    }
+}
 
 void Viewer::open(const std::string& name) {
     wake();
-    if (opening_.valid()) return gui_.interface.show_note("Still reading a file");
+    if (opening_) return gui_.interface.show_note("Still reading a file");
     // In another thread: the window stays alive while a large mesh is read.
-    opening_ = std::async(std::launch::async,
-                          [name, scene = lecture().predict.scene_before(scene_)] { return open_file(name, scene); });
-    if (opening_.wait_for(150ms) != std::future_status::ready)
-        gui_.interface.show_note("Reading " + short_name(name) + " \u2026");
+    opening_ =
+        beside([name, scene = lecture().exercises.scene_before(document_.scene)] { return open_file(name, scene); });
+    if (!opening_.ready(150ms)) gui_.interface.show_note("Reading " + short_name(name) + " \u2026");
 }
 
 void Viewer::finish_opening() {
-    if (!opening_.valid() || opening_.wait_for(0s) != std::future_status::ready) return;
+    if (!opening_ || !opening_.ready()) return;
     wake();
     try {
         take(opening_.get());
@@ -50,35 +114,36 @@ void Viewer::finish_opening() {
 void Viewer::take(Opened opened) {
     commit();
     if (opened.exercises) {
-        if (!exercising()) file_before_exercises_ = file_;
-        file_ = opened.file;
-        lecture().start_exercises(*opened.exercises, scene_);
+        if (!exercising()) origin_before_exercises_ = document_.origin();
+        document_.set_origin(std::make_shared<Origin>(Origin{.file = opened.file, .saved = {}}));
+        lecture().start_exercises(*opened.exercises, document_.scene);
     } else if (opened.lesson) {
         surfaces_ = std::move(opened.surfaces);
-        file_ = opened.lesson->name;
-        gui_.interface.open_lesson(std::move(opened.lesson), scene_, opened.step);
+        document_.open(document_.scene, opened.lesson->name);
+        gui_.interface.open_lesson(std::move(opened.lesson), document_.scene, opened.step);
     } else {
-        lecture().predict.stop();
-        opened.scene.theme = scene_.theme;  // the room's light does not change with the scene
-        scene_ = std::move(opened.scene);
+        lecture().exercises.stop();
+        const bool goes_on = is_mesh_file(opened.file) && document_.unsaved();  // a mesh changes the surface alone
+        const Scene saved = document_.origin()->saved;
+        opened.scene.theme = document_.scene.theme;  // the room's light does not change with the scene
         surfaces_ = std::move(opened.surfaces);
-        file_ = is_link(opened.file) ? "" : std::move(opened.file);
+        document_.open(std::move(opened.scene), is_link(opened.file) ? "" : opened.file);
+        if (goes_on) document_.origin()->saved = saved;
     }
-    set_title();
 }
 
 void Viewer::save_scene(const std::filesystem::path& file) {
-    normalscope::save_scene(scene_, file);
-    file_ = file.string();
-    set_title();
-    gui_.interface.show_note("Saved " + file_);
+    normalscope::save_scene(document_.scene, file);
+    document_.saved_as(file.string());
+    gui_.interface.show_note("Saved " + document_.file());
+    if (std::exchange(closes_when_saved_, false)) close();
 }
 
 void Viewer::save_picture(const std::filesystem::path& file) {
     if (file.extension() == ".svg") {
         const PixelRect rect{{0, 0}, gui_.interface.picture(host_.framebuffer_size()).size};
-        const Frame vectors =
-            make_frame(shown_scene(), surfaces_->get(scene_), {.rect = rect, .pixel_scale = scale(), .handles = false});
+        const Frame vectors = make_frame(shown_scene(), surfaces_->get(document_.scene),
+                                         {.rect = rect, .pixel_scale = scale(), .handles = false});
         write_file(file, svg_text(shown_scene(), vectors, scale(), Ground::Scene));
         return gui_.interface.show_note("Saved " + file.string());
     }
@@ -92,13 +157,13 @@ void Viewer::save_picture(const std::filesystem::path& file) {
 
 void Viewer::copy_command() {
     const glm::ivec2 size = gui_.interface.picture(host_.framebuffer_size()).size;
-    host_.set_clipboard(capture_command(scene_, file_, size, host_.content_scale()));
+    host_.set_clipboard(capture_command(document_.scene, document_.file(), size, host_.content_scale()));
     gui_.interface.show_note("Copied the command that draws this picture");
 }
 
 void Viewer::copy_link() {
-    host_.set_clipboard(link_of(scene_));
-    const auto* mesh = std::get_if<MeshSurface>(&scene_.surface);
+    host_.set_clipboard(link_of(document_.scene));
+    const auto* mesh = std::get_if<MeshSurface>(&document_.scene.surface);
     gui_.interface.show_note(mesh ? "Copied a link to this scene. It names " + mesh->mesh +
                                         " but does not hold it: whoever opens the link needs that file there"
                                   : "Copied a link to this scene: paste it with Ctrl+V, or give it as FILE");
@@ -106,7 +171,7 @@ void Viewer::copy_link() {
 
 void Viewer::copy_equations() {
     const auto probe = frame_ && frame_->probe ? std::optional(frame_->probe->object) : std::nullopt;
-    host_.set_clipboard(equations_latex(explanation(scene_, probe)));
+    host_.set_clipboard(equations_latex(explanation(document_.scene, probe)));
     gui_.interface.show_note("Copied the equations as LaTeX (packages amsmath and color)");
 }
 

@@ -45,6 +45,8 @@ public:
     virtual void toggle_full_screen() = 0;
     virtual void to_next_monitor() = 0;
     virtual void close() = 0;
+    /// A scene's JSON, to be offered next time if the program ends otherwise than by close(); empty: nothing.
+    virtual void keep(const std::string& scene) = 0;
 };
 
 }  // namespace normalscope

@@ -15,6 +15,7 @@ std::optional<LectureKey> lecture_key(ImGuiKey key) {
         case ImGuiKey_KeypadEnter: return LectureKey::Enter;
         case ImGuiKey_Slash: return LectureKey::Hint;  // the question mark's key
         case ImGuiKey_Home: return LectureKey::Again;
+        case ImGuiKey_End: return LectureKey::Last;
         case ImGuiKey_Period:
         case ImGuiKey_B: return LectureKey::Black;
         case ImGuiKey_W: return LectureKey::White;

@@ -5,11 +5,11 @@ namespace normalscope {
 void Viewer::pointer_to(glm::dvec2 pixel) {
     wake();
     gui_.point(pixel);
-    Predict& exercise = lecture().predict;
-    if (frame_) exercise.drag(*frame_, scene_, scale(), pixel);
+    Exercises& exercise = lecture().exercises;
+    if (frame_) exercise.drag(*frame_, document_.scene, scale(), pixel);
     if (!frame_ || exercise.dragging()) return;
     pointer_at_ = pixel;
-    pointer_.move(scene_, *frame_, pixel, scale());
+    pointer_.move(document_.scene, *frame_, pixel, scale());
     const bool free = !pointer_.busy() && !gui_.wants_mouse() && gui_.interface.derivation_shown();
     gui_.interface.highlight(free ? highlight_at(*frame_, pixel, 7.0 * scale()) : std::nullopt);
 }
@@ -17,28 +17,31 @@ void Viewer::pointer_to(glm::dvec2 pixel) {
 void Viewer::pointer_left() {
     wake();
     gui_.point(std::nullopt);
+    pointer_.leave();
+    gui_.interface.highlight(std::nullopt);
 }
 
 void Viewer::press(int button, ImGuiKeyChord modifiers) {
     wake();
     catch_up();
     gui_.button(button, true, modifiers);
-    if (!frame_ || gui_.wants_mouse() || lecture().predict.grab(*frame_, scene_, scale(), pointer_at_)) return;
+    if (!frame_ || gui_.wants_mouse() || lecture().exercises.grab(*frame_, document_.scene, scale(), pointer_at_))
+        return;
     commit();
-    pointer_.press(scene_, *frame_,
+    pointer_.press(document_.scene, *frame_,
                    {.left = button == ImGuiMouseButton_Left, .shift = (modifiers & ImGuiMod_Shift) != 0}, scale());
 }
 
 void Viewer::release(int button, ImGuiKeyChord modifiers) {
     wake();
     gui_.button(button, false, modifiers);
-    if (frame_ && !lecture().predict.release()) pointer_.release(scene_, *frame_, scale());
+    if (frame_ && !lecture().exercises.release()) pointer_.release(document_.scene, *frame_, scale());
 }
 
 void Viewer::scroll(glm::dvec2 steps) {
     wake();
     ImGui::GetIO().AddMouseWheelEvent(static_cast<float>(steps.x), static_cast<float>(steps.y));
-    if (!gui_.wants_mouse()) pointer_.scroll(scene_, steps.y);
+    if (!gui_.wants_mouse()) pointer_.scroll(document_.scene, steps.y);
 }
 
 void Viewer::focus(bool focused) {

@@ -1,7 +1,6 @@
 #include "viewer/opening.h"
 
-#include "core/lessons/exercise.h"
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
 #include "core/mesh/mesh_file.h"
 
 #include <random>
@@ -26,27 +25,28 @@ void read_meshes(const Lesson& lesson, const Scene& read) {
 }  // namespace
 
 bool is_more_than_a_scene(const std::string& file) {
-    return exercises_name(file).has_value() || is_lesson(file) || lesson_place(file).has_value();
+    const Contents contents = open_name(file);
+    return std::holds_alternative<OpenedLesson>(contents) || std::holds_alternative<ExercisesName>(contents);
 }
 
 Opened open_file(const std::string& file, const Scene& scene) {
     Opened opened{file, scene, std::make_unique<SurfaceCache>(), nullptr, std::nullopt, std::nullopt};
-    if (const auto exercises = exercises_name(file)) {
+    const Contents contents = open_name(file);
+    if (const auto* exercises = std::get_if<ExercisesName>(&contents)) {
         // Another set each time, of which people can tell each other the number.
         opened.exercises = exercises->seed.value_or(std::random_device{}() % 100000);
         return opened;
     }
-    const auto place = lesson_place(file);
-    if (place || is_lesson(file)) {
-        opened.lesson = std::make_shared<const Lesson>(load_lesson(place ? place->lesson : file));
-        if (place) opened.step = place->step;
-        const Scene& first = opened.lesson->steps[opened.step.value_or(0)].scene;
-        (void)opened.surfaces->get(first);
-        read_meshes(*opened.lesson, first);
-        return opened;
-    }
-    opened.scene = is_mesh_file(file) ? with_mesh(scene, file) : load_scene(file);
+    if (const auto* mesh = std::get_if<MeshFile>(&contents))
+        opened.scene = with_mesh(scene, mesh->file);
+    else
+        opened.scene = first_scene(contents);
     (void)opened.surfaces->get(opened.scene);
+    if (const auto* lesson = std::get_if<OpenedLesson>(&contents)) {
+        read_meshes(*lesson->lesson, opened.scene);
+        opened.lesson = lesson->lesson;
+        opened.step = lesson->step;
+    }
     return opened;
 }
 

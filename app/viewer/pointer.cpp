@@ -106,7 +106,11 @@ void Pointer::release(Scene& scene, const Frame& frame, float scale) {
 }
 
 void Pointer::scroll(Scene& scene, double steps) {
-    scene.camera.zoom = std::clamp(scene.camera.zoom * std::pow(1.12, steps), 0.05, 100.0);
+    double& zoom = scene.camera.zoom;
+    // Far from there one has been brought by a very large or small object, and needs to get about.
+    const bool ordinary = zoom >= 0.05 && zoom <= 100.0;
+    const double wanted = zoom * std::pow(1.12, steps);
+    zoom = ordinary ? std::clamp(wanted, 0.05, 100.0) : std::clamp(wanted, Camera::kLeastZoom, Camera::kMostZoom);
     scrolled_ = true;
 }
 

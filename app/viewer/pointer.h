@@ -27,6 +27,10 @@ public:
     bool busy() const { return drag_ != Drag::None; }
     /// The last event was the wheel's: the zoom may go on.
     bool scrolled() const { return scrolled_; }
+    /// The pointer points at nothing any more.
+    void leave() {
+        if (!busy()) hot_axis_.reset();
+    }
     void end_scrolling() { scrolled_ = false; }
     /// The axis whose handle is dragged or pointed at.
     std::optional<int> hot_axis() const { return hot_axis_; }

@@ -47,7 +47,7 @@ bool Viewer::to_lecture(const KeyPress& key) {
     // A key that is held turns an exercise's arrow on and on; it does not run through a lesson and into the next one.
     if (key.repeated && !exercising()) return true;
     commit();
-    return lecture().press(*meant, scene_, frame());
+    return lecture().press(*meant, document_.scene, frame());
 }
 
 void Viewer::shortcut(const KeyPress& key) {
@@ -64,8 +64,8 @@ void Viewer::shortcut(const KeyPress& key) {
     }
     commit();
     if (key.control()) return shortcut_with_control(key);
-    if (press_view_key(scene_, key.key)) return;
-    if (!exercising() && press_object_key(scene_, key.key)) return;  // what is asked must stay what it is
+    if (press_view_key(document_.scene, key.key)) return;
+    if (!exercising() && press_object_key(document_.scene, key.key)) return;  // what is asked must stay what it is
     switch (key.key) {
         case ImGuiKey_M:
             if (presenting()) host_.to_next_monitor();
@@ -73,7 +73,8 @@ void Viewer::shortcut(const KeyPress& key) {
         case ImGuiKey_Tab:
         case ImGuiKey_H: gui_.interface.toggle_panel(); break;
         case ImGuiKey_F:
-            if (const auto ball = surface_ball()) scene_.camera = framed(scene_.camera, ball->centre, ball->radius);
+            if (const auto ball = surface_ball())
+                document_.scene.camera = framed(document_.scene.camera, ball->centre, ball->radius);
             break;
         default: break;
     }
@@ -84,9 +85,9 @@ void Viewer::shortcut_with_control(const KeyPress& key) {
         case ImGuiKey_Z: return undo(key.shift() ? Direction::Redo : Direction::Undo);
         case ImGuiKey_Y: return undo(Direction::Redo);
         case ImGuiKey_O: return gui_.interface.ask_open();
-        case ImGuiKey_S: return gui_.interface.ask_save_scene();
+        case ImGuiKey_S: return key.shift() ? gui_.interface.ask_save_scene() : save();
         case ImGuiKey_F:
-            if (!exercising()) gui_.interface.edit_formula(scene_);
+            if (!exercising()) gui_.interface.edit_formula(document_.scene);
             return;
         case ImGuiKey_P: return gui_.interface.ask_save_picture();
         case ImGuiKey_C: return copy_command();
@@ -98,7 +99,7 @@ void Viewer::shortcut_with_control(const KeyPress& key) {
         case ImGuiKey_KeypadSubtract: return scale_.change(presenting(), -1);
         case ImGuiKey_0:
         case ImGuiKey_Keypad0: return scale_.change(presenting(), 0);
-        case ImGuiKey_Q: return host_.close();
+        case ImGuiKey_Q: return close();
         default: return;
     }
 }
@@ -112,14 +113,10 @@ void Viewer::commit_if_finished() {
     if (!pointer_.busy() && !gui_.editing()) commit();
 }
 
-void Viewer::commit() {
-    if (!exercising()) history_.commit(scene_);
-}
-
 void Viewer::undo(Direction direction) {
     if (exercising()) return;
     commit();
-    scene_ = direction == Direction::Redo ? history_.redo() : history_.undo();
+    direction == Direction::Redo ? document_.redo() : document_.undo();
 }
 
 }  // namespace normalscope

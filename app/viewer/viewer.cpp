@@ -16,31 +16,31 @@ namespace {
 constexpr int kFramesAfterEvent = 3;
 constexpr double kLookForFile = 0.05;  // seconds, while one is being read
 
+bool has_more_than_a_scene(const std::string& file) { return !file.empty() && is_more_than_a_scene(file); }
+
 }  // namespace
 
 Viewer::Viewer(Host& host, Scene scene, const std::string& file, Remembered remembered)
     : host_(host),
       gui_(host),
       scale_(remembered.scale),
-      scene_(std::move(scene)),
-      history_(scene_),
+      document_(std::move(scene), has_more_than_a_scene(file) ? "" : file),
       frames_wanted_(kFramesAfterEvent),
       laid_out_at_(host.now()) {
     lecture().progress = std::move(remembered.lessons);
     // The scene is there already; lessons and exercises are more than one.
-    if (!file.empty() && is_more_than_a_scene(file)) {
+    if (has_more_than_a_scene(file)) {
         open(file);
         finish_opening();  // mostly done: then nothing else is seen first
-    } else {
-        file_ = file;
     }
-    set_title();
+    show_title();
+    if (remembered.unsaved) offer(std::move(*remembered.unsaved));
 }
 
-Remembered Viewer::remembered() const { return {scale_, lecture().progress}; }
+Remembered Viewer::remembered() const { return {scale_, lecture().progress, std::nullopt}; }
 
 Scene Viewer::shown_scene() const {
-    Scene scene = scene_;
+    Scene scene = document_.scene;
     if (presenting()) scene.theme = theme_of(is_dark(scene.theme), true);
     return scene;
 }
@@ -49,8 +49,8 @@ float Viewer::scale() const { return scale_.of(host_.content_scale(), host_.fram
 
 std::optional<WorldBall> Viewer::surface_ball() const {
     if (!frame_ || frame_->surface->mesh.positions.empty()) return std::nullopt;
-    WorldBall ball = bounding_ball(frame_->surface->mesh, world_from_object(scene_));
-    ball.radius += 2.0 * scene_.arrows.length;
+    WorldBall ball = bounding_ball(frame_->surface->mesh, world_from_object(document_.scene));
+    ball.radius += 2.0 * document_.scene.arrows.length;
     return ball;
 }
 
@@ -59,11 +59,11 @@ void Viewer::wake() { frames_wanted_ = kFramesAfterEvent; }
 double Viewer::due() const {
     if (frames_wanted_ > 0) return 0.0;
     const double wait = std::max(wake_at() - host_.now(), 0.0);
-    return opening_.valid() ? std::min(wait, kLookForFile) : wait;
+    return opening_ ? std::min(wait, kLookForFile) : wait;
 }
 
 void Viewer::step() {
-    if (opening_.valid()) frames_wanted_ = std::max(frames_wanted_, 1);
+    if (opening_) frames_wanted_ = std::max(frames_wanted_, 1);
     finish_opening();
     if (host_.now() >= wake_at()) frames_wanted_ = std::max(frames_wanted_, 1);
     if (frames_wanted_ == 0) return;
@@ -84,7 +84,7 @@ void Viewer::catch_up() {
 
 Frame Viewer::frame_now(Marks marks) {
     const auto make = [&] {
-        const std::shared_ptr<const Surface> surface = surfaces_->get(scene_);
+        const std::shared_ptr<const Surface> surface = surfaces_->get(document_.scene);
         const Quality quality = marks == Marks::AsSaved            ? Quality::Fine
                                 : gui_.interface.typing_formula()  ? Quality::Sketch
                                 : pointer_.busy() || gui_.moving() ? Quality::Draft
@@ -96,31 +96,30 @@ Frame Viewer::frame_now(Marks marks) {
                                   .highlight = gui_.interface.highlighted(),
                                   .handles = marks == Marks::WithHandles,
                                   .quality = quality,
-                                  .level_sets = level_sets_.get(scene_, surface->implicit)});
-        lecture().predict.add_to(frame, scene_, scale());
+                                  .level_sets = level_sets_.get(document_.scene, surface->implicit)});
+        lecture().exercises.add_to(frame, document_.scene, scale());
         return frame;
     };
     try {
         return make();
     } catch (const InputError& e) {  // the scene as it last was is still good
         gui_.interface.show_error(e.what());
-        scene_ = history_.current();
+        document_.go_back_to_last();
         return make();
     }
 }
 
 Requests Viewer::lay_out() {
     Requests requests;
-    const bool was_exercising = exercising();
-    const std::optional<ErrorStatistics>& errors = errors_.get(scene_, frame_->surface);
+    const bool was_exercising = exercising(), was_in_lesson = in_lesson();
+    const std::optional<ErrorStatistics>& errors = errors_.get(document_.scene, frame_->surface);
     gui_.layout(shown_scene().theme, scale(), [&] {
-        requests = gui_.interface.draw(scene_, *frame_, {history_.can_undo(), history_.can_redo(), errors, file_});
+        requests = gui_.interface.draw(document_.scene, *frame_,
+                                       {document_.can_undo(), document_.can_redo(), errors, document_.file()});
     });
     laid_out_at_ = host_.now();
-    if (was_exercising && !exercising()) {
-        file_ = file_before_exercises_;
-        set_title();
-    }
+    if (was_exercising && !exercising()) document_.set_origin(origin_before_exercises_);
+    if (was_in_lesson && !in_lesson()) document_.settle();
     return requests;
 }
 
@@ -128,10 +127,12 @@ bool Viewer::has_room() const { return glm::all(glm::greaterThan(host_.framebuff
 
 Requests Viewer::compose() {
     frame_ = frame_now(Marks::WithHandles);
-    const Scene before = scene_;
+    const Scene before = document_.scene;
+    const std::optional<Highlight> lit = gui_.interface.highlighted();
     const Requests requests = lay_out();
-    if (scene_ != before) {
-        frame_ = frame_now(Marks::WithHandles);  // so that the picture follows the slider without a frame's delay
+    if (document_.scene != before || gui_.interface.highlighted() != lit) {
+        frame_ =
+            frame_now(Marks::WithHandles);  // so that the picture follows slider and pointer without a frame's delay
         wake();
     }
     return requests;
@@ -144,9 +145,9 @@ void Viewer::draw() {
     // While only the interface changes, as in a dialog, the samples still hold the picture.
     const bool quick = frame_->quality != Quality::Fine;
     const bool rough = pace_.rough(quick) || (quick && frame_->surface->implicit);
-    const auto guess = exercising() ? std::optional(lecture().predict.guess()) : std::nullopt;
+    const auto arrow = exercising() ? std::optional(lecture().exercises.arrow()) : std::nullopt;
     const Drawn now{host_.framebuffer_size(),     shown_scene(),   frame_->surface, frame_->rect, pointer_.hot_axis(),
-                    gui_.interface.highlighted(), frame_->quality, rough,           guess};
+                    gui_.interface.highlighted(), frame_->quality, rough,           arrow};
     host_.draw({*frame_, drawn_ != now, rough, pace_.coarse(), quick});
     drawn_ = now;
     if (quick) pace_.took(std::chrono::steady_clock::now() - began);
@@ -154,22 +155,28 @@ void Viewer::draw() {
 
     obey(requests);
     if (!pointer_.scrolled()) commit_if_finished();
+    show_title();
+    if (!pointer_.busy() && !gui_.editing()) keep_unsaved();
+    if (!gui_.interface.dialog_shown()) closes_when_saved_ = false;
     if (gui_.has_more_input()) frames_wanted_ = std::max(frames_wanted_, 1);
 }
 
 void Viewer::obey(const Requests& requests) {
     if (requests.make_room)
-        if (const auto ball = surface_ball()) scene_.camera = with_room_for(scene_.camera, ball->centre, ball->radius);
+        if (const auto ball = surface_ball())
+            document_.scene.camera = with_room_for(document_.scene.camera, ball->centre, ball->radius);
     if (requests.step) commit();
     if (requests.undo || requests.redo) undo(requests.redo ? Direction::Redo : Direction::Undo);
     if (requests.full_screen) host_.toggle_full_screen();
     if (requests.end_presenting) present(false);
     if (requests.copy_link) copy_link();
     if (requests.copy_equations) copy_equations();
-    if (requests.quit) host_.close();
+    if (requests.quit) close();
+    if (requests.reply) obey(*requests.reply);
     if (requests.open) open(*requests.open);
     if (requests.open_mesh) open(*requests.open_mesh);
     try {
+        if (requests.save) save();
         if (requests.save_scene) save_scene(*requests.save_scene);
         if (requests.save_picture) save_picture(*requests.save_picture);
         if (requests.copy_command) copy_command();

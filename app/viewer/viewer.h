@@ -1,8 +1,9 @@
 #pragma once
 
+#include "core/base/beside.h"
 #include "core/picture/picking.h"
-#include "core/scene/history.h"
 #include "core/surface/level_sets.h"
+#include "viewer/document.h"
 #include "viewer/errors_cache.h"
 #include "viewer/gui.h"
 #include "viewer/host.h"
@@ -13,7 +14,6 @@
 #include "viewer/remembered.h"
 
 #include <filesystem>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,16 +44,18 @@ public:
     void expose() { wake(); }
     /// A file, a link, or whatever else has a name: in the background, where that takes time.
     void open(const std::string& name);
+    /// The user wants to leave: asks first where work would be lost.
+    void close();
 
     /// Has all drawn that is to be drawn now.
     void step();
     /// Seconds until step() has something to do though nothing happens; infinite if never.
     double due() const;
     /// Something is being read in the background.
-    bool opening() const { return opening_.valid(); }
+    bool opening() const { return static_cast<bool>(opening_); }
 
     Remembered remembered() const;
-    const Scene& scene() const { return scene_; }
+    const Scene& scene() const { return document_.scene; }
     const Interface& interface() const { return gui_.interface; }
     /// As drawn last; null before the first step.
     const Frame* frame() const { return frame_ ? &*frame_ : nullptr; }
@@ -62,7 +64,9 @@ private:
     Lecture& lecture() { return gui_.interface.lecture(); }
     const Lecture& lecture() const { return gui_.interface.lecture(); }
     bool presenting() const { return lecture().presenting; }
-    bool exercising() const { return lecture().predict.running(); }
+    bool exercising() const { return lecture().exercises.running(); }
+    /// What is seen is a lesson's step, or comes from one.
+    bool in_lesson() const { return lecture().player.running() && document_.file() == lecture().player.lesson().name; }
     void wake();
     /// When the interface wants to be drawn again though nothing happens, by the host's clock.
     double wake_at() const { return laid_out_at_ + gui_.interface.redraw_after(); }
@@ -94,20 +98,31 @@ private:
     void present(bool presenting);
     /// What the user has finished doing becomes one step to undo.
     void commit_if_finished();
-    void commit();
+    void commit() {
+        if (!exercising()) document_.commit();
+    }
     enum class Direction { Undo, Redo };
     void undo(Direction direction);
 
     // What comes in and goes out: exchange.cpp
     void finish_opening();
     void take(Opened opened);
+    /// The scene that an earlier session did not come to save.
+    void offer(Scene unsaved);
+    void obey(const Reply& reply);
+    /// There is work that would be lost. What is done in a lesson or an exercise is play.
+    bool unsaved() const { return !in_lesson() && !exercising() && document_.unsaved(); }
+    /// So that it can be offered again, should the program end in another way than by close().
+    void keep_unsaved();
+    /// To the open file, or to one that is asked for.
+    void save();
     void save_scene(const std::filesystem::path& file);
     void save_picture(const std::filesystem::path& file);
     void copy_command();
     void copy_link();
     void copy_equations();
     void paste();
-    void set_title();
+    void show_title();
 
     Host& host_;
     Gui gui_;
@@ -117,13 +132,16 @@ private:
     LevelSetsCache level_sets_;
     ErrorsCache errors_;
 
-    Scene scene_;
-    History history_;
-    std::string file_, file_before_exercises_;
+    Document document_;
+    std::shared_ptr<Origin> origin_before_exercises_;
+    std::string title_;
+    std::optional<Scene> kept_;  ///< by the host
+    bool closes_when_saved_ = false;
+    std::optional<Scene> offered_;
     std::optional<Frame> frame_;
     Pointer pointer_;
     glm::dvec2 pointer_at_{0.0};
-    std::future<Opened> opening_;
+    Beside<Opened> opening_;
 
     int frames_wanted_;
     double laid_out_at_;  ///< by the host's clock
@@ -138,7 +156,7 @@ private:
         std::optional<Highlight> highlight;
         Quality quality = Quality::Fine;
         bool rough = false;
-        std::optional<Vector<World>> guess;
+        std::optional<Vector<World>> arrow;
         friend bool operator==(const Drawn&, const Drawn&) = default;
     };
     std::optional<Drawn> drawn_;

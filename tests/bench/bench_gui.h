@@ -37,6 +37,7 @@ public:
     void toggle_full_screen() override {}
     void to_next_monitor() override {}
     void close() override {}
+    void keep(const std::string&) override {}
 
 private:
     Stopwatch clock_;

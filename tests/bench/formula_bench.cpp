@@ -3,7 +3,7 @@
 // the driver compiles a program. Prints one line of JSON.
 
 #include "bench_gui.h"
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
 #include "core/picture/frame.h"
 #include "core/picture/make_frame.h"
 #include "core/surface/surface.h"
@@ -66,7 +66,7 @@ Scene with_formula(const std::string& text, double a = 1.0) {
 
 int main() {
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // or a second run would find its new formulas compiled
-    const auto context = make_offscreen_context(ContextChoice::Auto);
+    const auto context = make_offscreen_context({});
     context->make_current();
     Window window;
     const std::string torus = "(x^2+y^2+z^2+a-0.1)^2-4a(x^2+y^2)";

@@ -2,13 +2,14 @@
 // window draws it. Prints one line of JSON: frames a second, from the median, by samples a pixel.
 
 #include "bench_gui.h"
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
 #include "core/picture/frame.h"
 #include "core/picture/make_frame.h"
 #include "core/scene/scene_json.h"
 #include "core/surface/surface.h"
 #include "gl/renderer.h"
 #include "gl/target.h"
+#include "gl/version.h"
 #include "measure.h"
 #include "platform/offscreen_context.h"
 
@@ -46,7 +47,7 @@ double median_frame_milliseconds(int samples) {
 }  // namespace
 
 int main() {
-    const auto context = make_offscreen_context(ContextChoice::Auto);
+    const auto context = make_offscreen_context({});
     context->make_current();
     std::printf("{\"renderer\": \"%s\", \"frames_per_second\": {\"1\": %.1f, \"4\": %.1f}}\n", renderer_name().c_str(),
                 1000.0 / median_frame_milliseconds(1), 1000.0 / median_frame_milliseconds(4));

@@ -58,7 +58,7 @@ public:
         Status status;
         const Transform<World, Object> m = world_from_object(scene);
         if (const auto naive = normal_map(scene, m, Rule::Naive))
-            status.errors = error_statistics(surface->mesh, *naive, m.normal_matrices_by_rule());
+            status.errors = error_statistics(surface->mesh, *naive, m);
         Scene shown = scene;
         gui_.layout(scene.theme, scale_, [&] { gui_.interface().draw(shown, frame, status); });
         const bool rough = pace_.rough(moving) || (moving && surface->implicit);
@@ -125,7 +125,7 @@ void print(const char* name, const std::vector<double>& values) {
 }  // namespace
 
 int main(int count, char** arguments) {
-    const auto context = make_offscreen_context(ContextChoice::Auto);
+    const auto context = make_offscreen_context({});
     context->make_current();
     std::printf("{");
     bool first = true;

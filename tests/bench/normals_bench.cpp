@@ -1,7 +1,7 @@
 // n · t over ten million normals and all rules, beside one pass that reads and writes them, on as many threads. Prints
 // one line of JSON: milliseconds, medians of several turns.
 
-#include "core/base/threads.h"
+#include "core/base/beside.h"
 #include "core/math/normal_rules.h"
 #include "core/surface/worst_dots.h"
 #include "measure.h"
@@ -12,7 +12,6 @@
 #include <cstdio>
 #include <functional>
 #include <random>
-#include <thread>
 #include <vector>
 
 using namespace normalscope;
@@ -31,11 +30,11 @@ double milliseconds(const std::function<void()>& work) {
 void read_and_write(const std::vector<glm::dvec3>& from, std::vector<glm::dvec3>& to) {
     const std::size_t threads = threads_for(kCount, 1);
     const std::size_t part = (kCount + threads - 1) / threads;
-    std::vector<std::jthread> workers;
+    std::vector<Beside<void>> workers;
     for (std::size_t t = 0; t < threads; ++t)
-        workers.emplace_back([&, t] {
+        workers.push_back(beside([&, t] {
             for (std::size_t i = t * part; i < std::min((t + 1) * part, kCount); ++i) to[i] = -from[i];
-        });
+        }));
 }
 
 }  // namespace

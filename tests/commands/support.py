@@ -15,7 +15,8 @@ NORMALSCOPE = os.environ.get("NORMALSCOPE", "build/normalscope")
 SMALL = ("--size", "160x120")
 
 
-PROGRESS = re.compile(r"^\d+ of \d+ \w+, \d+ s left\n", re.MULTILINE)  # a slow machine is told
+PROGRESS = re.compile(r"^\d+ of \d+ \w+, \d+ (?:s|min) left\n", re.MULTILINE)  # a slow machine is told
+MESH_NOTE = re.compile(r"^normalscope: [^:\n]+\.(?:obj|ply|stl)\b[^\n]*\n", re.MULTILINE | re.IGNORECASE)  # most have no normals
 
 
 def run(*arguments, env=None, **options):
@@ -49,9 +50,13 @@ class CommandTest(unittest.TestCase):
     def scene(self, **keys):
         return self.file("scene.json", json.dumps({"normalscope": 1, **keys}))
 
-    def assert_done(self, *arguments, **options):
+    def assert_done(self, *arguments, notes=(), **options):
+        """What it prints. On stderr must be a line for each of the `notes`, which holds those words, and no other."""
         done = run(*arguments, **options)
-        self.assertEqual((done.returncode, PROGRESS.sub("", done.stderr.decode())), (0, ""), arguments)
+        lines = PROGRESS.sub("", done.stderr.decode()).splitlines()
+        self.assertEqual((done.returncode, len(lines)), (0, len(notes)), (arguments, lines))
+        for line, note in zip(lines, notes):
+            self.assertTrue(line.startswith("normalscope: ") and note in line, (line, note))
         return done.stdout or b""
 
     def assert_fails(self, code, *arguments, says=(), **options):

@@ -4,7 +4,7 @@
 import json
 import unittest
 
-from support import CommandTest, colours, words
+from support import SMALL, CommandTest, colours, run, words
 
 NAMED_IN_THE_README = {"slide-scale", "split", "identity", "rotation", "uniform", "shear"}
 
@@ -71,8 +71,25 @@ class CaptureTest(CommandTest):
 
     def test_set_on_a_mesh(self):
         mesh = self.file("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
-        numbers = self.numbers(mesh, "--set", "stack.0.scale=[1,2,1]")
+        numbers = self.numbers(mesh, "--set", "stack.0.scale=[1,2,1]", notes=("m.obj has no normals",))
         self.assertEqual(numbers["M"][1], [0, 2, 0, 0])
+
+    def test_notes(self):
+        mesh, out = self.file("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), self.folder / "out.png"
+        numbers = self.numbers(mesh, notes=("m.obj has no normals",))["surface"]
+        self.assertEqual((numbers["triangles"], numbers["vertices"]), (1, 3))
+        self.assertRegex(numbers["notes"][0], "m.obj has no normals: computed")
+        for options, code in (((), 0), (("--fail-on-note",), 1)):
+            for command in (("capture", mesh, "-o", out), ("capture", mesh, "-o", out, "--expect", out.with_suffix(".ref")),
+                            ("sweep", mesh, "--vary", "camera.azimuth=0:9:2", "-o", self.folder / "f-%d.png")):
+                if "--expect" in command:
+                    (self.folder / "out.ref").write_bytes(out.read_bytes())
+                done = run(*command, *SMALL, *options)
+                self.assertEqual((done.returncode, done.stderr.count(b"\n")), (code, 1), command)
+                self.assertIn(numbers["notes"][0].encode(), done.stderr)
+                self.assertTrue(out.exists())
+        self.assertEqual(self.numbers("split")["surface"]["notes"], [])
+        self.assert_done("capture", "split", "--fail-on-note", "-o", out, *SMALL)
 
     def test_set_to_what_a_scene_does_not_allow(self):
         out = self.folder / "out.png"
@@ -92,7 +109,7 @@ class CaptureTest(CommandTest):
                 ("normalscope=2", "normalscope"),
                 ("rule=" + "x" * 100_000, "rule")):
             with self.subTest(setting[:40]):
-                self.assert_fails(3, "capture", "-o", out, "--set", setting, says=("--set", says))
+                self.assert_fails(2, "capture", "-o", out, "--set", setting, says=("--set", says))
         self.assertFalse(out.exists())
 
     def test_a_saved_scene_of_every_key(self):

@@ -3,7 +3,10 @@
 
 import json
 import pathlib
+import resource
+import struct
 import unittest
+import zlib
 
 from support import SMALL, CommandTest, chunk, png, png_size, run
 
@@ -143,10 +146,36 @@ class CompareTest(CommandTest):
         for name, content in cases.items():
             with self.subTest(name):
                 bad = self.file(f"{name}.png", content)
-                self.assert_fails(3, "compare", bad, good, says=bad)
-                self.assert_fails(3, "compare", good, bad, says=bad)
+                decode = () if name == "hollow" else ("--diff", self.folder / "d.png")  # or sizes that differ would do
+                other = self.file("other.png", cases["hollow"] + b"\0") if name == "hollow" else good
+                self.assert_fails(3, "compare", bad, other, *decode, says=bad)
+                self.assert_fails(3, "compare", other, bad, *decode, says=other if name == "hollow" else bad)
         self.assert_fails(3, "compare", good, self.folder / "none.png", says=("none.png", "No such file"))
         self.assert_fails(3, "compare", self.folder, good, says=(self.folder, "folder"))
+
+    def test_no_pixel_is_decoded_for_what_the_files_say(self):
+        whole = png(64, 64, [bytes(range(192))] * 64)
+        damaged = whole[:60] + bytes([whole[60] ^ 255]) + whole[61:]
+        self.assertEqual(self.compare(damaged, damaged), (True, "agree: 64x64, every pixel is the same\n"))
+        self.assertEqual(self.compare(damaged, grey(1, 2)), (False, "differ: the size is 64x64, expected 2x1\n"))
+        self.assert_fails(3, "compare", self.file("a.png", damaged), self.file("b.png", whole), says=("a.png", "damaged"))
+        # Whatever else is the same is no picture.
+        for content in (b"", b"hello", whole[:20], png(0, 0, [])):
+            same = self.file("a.png", content)
+            self.assert_fails(3, "compare", same, same, says="a.png")
+
+    def test_a_picture_of_100_million_pixels(self):
+        rows = zlib.compress((b"\0" + b"\7" * 3 * 12500) * 8000, 1)
+        head = b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 12500, 8000, 8, 2, 0, 0, 0))
+        large = self.file("large.png", head + chunk(b"IDAT", rows) + chunk(b"IEND", b""))
+        other = self.file("other.png", head + chunk(b"tEXt", b"a\0b") + chunk(b"IDAT", rows) + chunk(b"IEND", b""))
+
+        def a_gibibyte():
+            resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30))
+        done = run("compare", large, other, preexec_fn=a_gibibyte)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, b"agree: 12500x8000, every pixel is the same\n", b""))
+        self.assert_fails(3, "compare", large, other, "--perceptual", says=("--perceptual", "12500x8000"))
+        self.assert_fails(3, "compare", large, other, "--diff", self.folder / "d.png", says=("--diff", "12500x8000"))
 
     def test_a_difference_that_cannot_be_written(self):
         good = self.file("good.png", grey(1))

@@ -205,9 +205,9 @@ class CompleteTest(CommandTest):
         options = set()
         for command in ("", *COMMANDS):
             text = run(*command.split(), "--help").stdout.decode()
-            options |= set(re.findall(r"^  (?:-\w, |    )(--[a-z]+)", text, re.M))
+            options |= set(re.findall(r"^  (?:-\w, |    )(--[a-z-]+)", text, re.M))
         page = ROOT / "docs/commands.md"
-        table = [option for span in spans(page) for option in re.findall(r"--[a-z]+", span)]
+        table = [option for span in spans(page) for option in re.findall(r"--[a-z-]+", span)]
         self.assertEqual(sorted(set(table)), sorted(options))
         text = run("--help").stdout.decode()
         listed = re.findall(r"^  ([a-z]+) ", re.search(r"^Commands:\n(.*?)\n\n", text, re.M | re.S)[1], re.M)
@@ -239,7 +239,8 @@ class CompleteTest(CommandTest):
             return self.file("lesson.json", json.dumps({"normalscope": 1, "lesson": "A lesson", "steps": [step]}))
         capture = ("capture", "-o", os.devnull)
         self.assert_told(self.known(*capture, lesson(nope=1)), "lessons.md")
-        self.assert_told(self.known(*capture, lesson(question={"nope": 1})), "lessons.md")
+        self.assert_told(self.known(*capture, lesson(question={"ask": "Why?", "nope": 1, "choices": [
+            {"text": "A.", "right": True, "because": "So."}, {"text": "B.", "because": "No."}]})), "lessons.md")
 
     def test_manifest_keys(self):
         manifest = self.file("checks.json", json.dumps({

@@ -117,7 +117,7 @@ class ExplainTest(CommandTest):
         self.assert_fails(3, "explain", "no-such-scene", says="no-such-scene")
         self.assert_fails(3, "explain", self.folder / "missing.json", says="missing.json")
         self.assert_fails(3, "explain", self.file("broken.json", "{"), says="broken.json")
-        self.assert_fails(3, "explain", "--set", "rule=sideways", says=("rule", "cofactor"))
+        self.assert_fails(2, "explain", "--set", "rule=sideways", says=("rule", "cofactor"))
 
     @unittest.skipUnless(os.path.exists("/dev/full"), "there is no full device to write to")
     def test_a_result_that_cannot_be_printed(self):

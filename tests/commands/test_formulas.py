@@ -32,7 +32,7 @@ class FormulaTest(CommandTest):
             with self.subTest(formula):
                 says = f"surface.formula: column {column}: "
                 self.refused({"formula": formula}, says)
-                self.assert_fails(3, "explain", *setting(formula), says=says)
+                self.assert_fails(2, "explain", *setting(formula), says=says)
 
     def test_what_is_too_long(self):
         self.refused({"formula": "x+" * 5000 + "y"}, "10000 characters")
@@ -51,6 +51,13 @@ class FormulaTest(CommandTest):
         for formula in ("foo(x)", "ab(x)", "1 + log3(x)", "sin2(x)", "floor2(x)"):
             with self.subTest(formula):
                 self.refused({"formula": formula}, ("log10", "heaviside"))
+
+    def test_a_pole_is_no_surface(self):
+        scale = ("--set", 'stack=[{"scale":[0.5,2,1]}]')
+        plane = self.numbers(*setting("x/(x^2+y^2+z^2-1)"), *scale)
+        self.assertAlmostEqual(plane["error_degrees"]["worst"], 0)
+        nothing = self.numbers(*setting("1/(x^2+y^2+z^2-1)"), *scale, notes=("No zero",))
+        self.assertIsNone(nothing["probe"])
 
     def test_keys(self):
         self.refused({"formula": "a x", "parameters": {"b": 1}}, ("surface.parameters.b", "it has a"))
@@ -81,7 +88,7 @@ class FormulaTest(CommandTest):
         for formula, says in (("x^2+y^2", ("as at (0, 0, ", "never negative", "line")),
                               ("(x-0.5)^2+y^2+z^2", ("at (0.5, 0, 0)", "never negative", "point")),
                               ("-(x^2+y^2-1)^2-z^2", ("up to 0", "never positive", "line")),
-                              ("x^2+y^2+z^2-1e-9", "too small"), ("x^2+y^2+z^2+1e-8", "No zero")):
+                              ("x^2+y^2+z^2-1e-9", "too small"), ("sqrt(1-x^2-y^2-z^2)", "values end"), ("x^2+y^2+z^2+1e-8", "No zero")):
             with self.subTest(formula):
                 for word in (says,) if isinstance(says, str) else says:
                     self.assertIn(word, self.told(formula))

@@ -2,6 +2,7 @@
 """Every built-in lesson from end to end: each step is drawn, and its caption's numbers are those of the scene."""
 
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -57,12 +58,48 @@ class LessonsTest(CommandTest):
         self.assert_fails(2, "handout", LESSONS[0].stem, says=("--output",))
         self.assertFalse(out.exists())
 
+    def test_steps_that_are_none(self):
+        out = ("-o", self.folder / "out.png")
+        mine = self.file("mine.json", json.dumps({"lesson": "Mine", "steps": [{"caption": "a"}, {"caption": "b"}]}))
+        for lesson, count in ((LESSONS[0].stem, len(json.loads(LESSONS[0].read_text())["steps"])), (mine, 2)):
+            for step in ("0", "x", "99", "", "-1", "1.5", "9" * 40):
+                self.assert_fails(3, "capture", f"{lesson}#{step}", *out, says=(f"{lesson}#{step}: ", f"steps 1 to {count}"))
+        self.assert_fails(3, "capture", f"{self.scene()}#1", *out, says="is a scene, which has no steps")
+        self.assert_fails(3, "capture", f"{self.file('bad.json', '{')}#1", *out, says=("bad.json", "not valid JSON"))
+        self.assert_fails(3, "capture", f"{self.folder}/none.json#1", *out, says=("none.json", "No such file"))
+        self.assert_done("capture", self.file("a#2.json", self.scene().read_text()), *out, *SMALL)
+
+    def test_a_file_is_read_once(self):
+        """A pipe gives its content once: who opens it again waits for ever."""
+        lesson = {"lesson": "Mine", "steps": [{"caption": "a"}, {"caption": "b", "scene": {"rule": "naive"}}]}
+        pipe, out = self.folder / "pipe.json", self.folder / "out"
+        os.mkfifo(pipe)
+        for command in (("capture", f"{pipe}#2", "--captions", "-o", f"{out}.png", *SMALL), ("explain", pipe),
+                        ("sweep", f"{pipe}#1", "--captions", "--vary", "camera.azimuth=0:9:2", "-o", f"{out}-%d.png", *SMALL),
+                        ("handout", pipe, "-o", f"{out}.html", *SMALL)):
+            with subprocess.Popen([NORMALSCOPE, *map(str, command)], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL) as child:
+                pipe.write_text(json.dumps(lesson))
+                try:
+                    self.assertEqual(child.wait(timeout=100), 0, command)
+                finally:
+                    child.kill()
+
+    def test_standard_input(self):
+        lesson = {"lesson": "Mine", "steps": [{"caption": "a"}, {"caption": "b", "scene": {"rule": "naive"}}]}
+        scene = self.scene(rule="naive")
+        for given in (scene, self.file("mine.json", json.dumps(lesson))):
+            with open(given, "rb") as stdin:
+                self.assertEqual(self.capture("-", stdin=stdin), self.capture(given), given)
+        for text, says in (("", "empty"), ("{", "standard input: not valid JSON"), ('{"rule": 3}', "standard input: rule")):
+            with open(self.file("text", text), "rb") as stdin:
+                self.assert_fails(3, "capture", "-", "-o", self.folder / "out.png", stdin=stdin, says=says)
+
     def test_a_lesson_of_ones_own_finds_its_mesh(self):
         (self.folder / "deep").mkdir()
         self.file("deep/t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
         file = self.file("deep/mine.json", json.dumps(
             {"lesson": "Mine", "steps": [{"caption": "a", "scene": {"surface": {"mesh": "t.obj"}}}]}))
-        self.assert_done("capture", file, "-o", self.folder / "a.png", *SMALL)
+        self.assert_done("capture", file, "-o", self.folder / "a.png", *SMALL, notes=("t.obj has no normals",))
 
     def test_the_handout_is_one_page(self):
         lesson = LESSONS[0]

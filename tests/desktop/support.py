@@ -155,7 +155,7 @@ class Window:
 
     def scene(self):
         """What the program says that its scene is."""
-        return json.loads(self.save("ctrl+s", "scene.json"))
+        return json.loads(self.save("ctrl+shift+s", "scene.json"))
 
     def geometry(self):
         lines = xdotool("getwindowgeometry", "--shell", self.id)
@@ -170,6 +170,11 @@ class Window:
         """Closes it as the user does; returns what it printed and how it ended."""
         if self.process.poll() is None:
             xdotool("key", "ctrl+q")
+            try:
+                self.settle()  # it may ask whether to save the scene
+                xdotool("key", "d")
+            except AssertionError:
+                pass  # it has ended
         try:
             self.process.wait(PATIENCE)
         except subprocess.TimeoutExpired:

@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import unittest
 
-from support import GROUND, LIGHT, NORMALSCOPE, PANEL, SIZE, WindowTest, png_size, until
+from support import GROUND, LIGHT, NORMALSCOPE, PANEL, SIZE, Window, WindowTest, png_size, until
 from x11 import Display
 
 
@@ -105,6 +105,21 @@ class DrawingTest(WindowTest):
         self.assertNotEqual(window.scene(), first)
         window.key("ctrl+v")
         until(lambda: window.scene() == first, "the linked scene")
+
+
+class WorkTest(WindowTest):
+    def test_work_is_offered_again_after_a_kill(self):
+        window = Window(self.folder, *LIGHT)  # which comes to no good end
+        self.addCleanup(window.kill)
+        window.key("c")
+        until(lambda: list((self.folder / "config" / "normalscope").glob("unsaved-*")), "the scene to be kept")
+        window.kill()
+        window = self.window(*LIGHT)
+        window.key("Return")
+        self.assertEqual(window.scene()["rule"], "cofactor")
+        self.assert_closes(window)
+        window = self.window(*LIGHT)
+        self.assertEqual(window.scene()["rule"], "inverse-transpose")
 
 
 class SizeTest(WindowTest):

@@ -2,7 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/scene/scene_json.h"
-#include "core/scene/scene_settings.h"
+#include "core/scene/setting.h"
 #include "core/scene/variation.h"
 #include "fuzz.h"
 
@@ -28,7 +28,8 @@ void check(std::string_view bytes) {
         const std::string text = scene_text(scene);
         require(parse_scene(text, "again") == scene, "a scene that is written reads back as another one");
         Scene made;
-        for (const std::string& setting : settings_between(made, scene)) made = with_setting(made, setting);
+        for (const Setting& setting : settings_between(made, scene))
+            made = with_setting(made, parse_setting(setting.text()));
         made.about = scene.about;
         require(made == scene, "settings make another scene");
     });

@@ -15,7 +15,7 @@ namespace normalscope {
 
 /// One context for all tests of a process: making one takes longer than most of them.
 inline void need_context() {
-    static const std::unique_ptr<Context> context = make_offscreen_context(ContextChoice::Auto);
+    static const std::unique_ptr<Context> context = make_offscreen_context({});
     context->make_current();
 }
 

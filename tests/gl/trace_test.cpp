@@ -44,7 +44,8 @@ bool is_grazing(const ImplicitSurface& surface, const Ray<Object>& ray, const st
 
 TEST_P(Trace, MeetsWhatTheProcessorMeets) {
     const Case& c = GetParam();
-    const ImplicitSurface surface({.formula = c.formula, .bound = c.bound});
+    ImplicitSurface surface({.formula = c.formula, .bound = c.bound});
+    surface.check_floats(polygonised(surface, 40));
     const CameraView view({.azimuth = 33.0, .elevation = 21.0, .zoom = 2.4 / c.bound}, kSize);
     const glm::dmat4 object_from_world = glm::inverse(matrix(Scale{{0.5, 1.4, 1.0}}));
     Tracer tracer;
@@ -102,9 +103,16 @@ constexpr std::array kCases{
     Case{"Logarithm", "log(x)+y^2+z^2"},
     Case{"Poles", "1/x+1/y+z"},
     Case{"Tangent", "tan(2x)+y+z"},
+    Case{"PolePlane", "x/(x^2+y^2+z^2-1)", 2.0, 0.003},  // zero and pole beside each other
+    Case{"PoleOfTangents", "tan(x^2+y^2+z^2)", 2.0, 0.005},
+    Case{"PoleBesideACylinder", "(x^2+y^2-1)/(x-0.3)", 2.0, 0.004},
+    Case{"Sawtooth", "mod(x,1)-0.5"},
+    Case{"Steps", "z-floor(2x)/4"},
     Case{"CubicPole", "(x/z+z+1)^3-6"},
     Case{"Jump", "z-atan(y/x)", 2.0, 0.005},  // beside which the surface lies as near as one likes
     Case{"Cusps", "|x|^(2/3)+|y|^(2/3)+|z|^(2/3)-1", 2.0, 0.003},
+    Case{"BelowWhatFloatsHold", "exp(-100(x^2+y^2+z^2))-exp(-100)", 1.5},
+    Case{"Cancelling", "(x+1000)^2-1000^2+(y+1000)^2-1000^2+(z+1000)^2-1000^2-2000(x+y+z)-1", 1.5},
     Case{"TouchesSmoothly", "sin(x+y/2)^2"},
     Case{"TouchesInAKink", "|x^2+y^2+z^2-1|"},
 };

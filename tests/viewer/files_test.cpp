@@ -24,8 +24,10 @@ protected:
 TEST_F(FilesTest, TheTitleNamesTheFile) {
     start();
     EXPECT_EQ(host_.title, "Normalscope");
-    start(light("shear"), "deep/shear");
-    EXPECT_EQ(host_.title, "shear \u2013 Normalscope");
+    fs::create_directories(folder_.path() / "deep");
+    write("deep/shear.json", R"({"normalscope": 1, "stack": [{"shear": {"xy": 1}}]})");
+    start(light("shear"), path("deep/shear.json"));
+    EXPECT_EQ(host_.title, "shear.json \u2013 Normalscope");
 }
 
 TEST_F(FilesTest, AMeshIsOpenedIntoTheScene) {
@@ -38,7 +40,7 @@ TEST_F(FilesTest, AMeshIsOpenedIntoTheScene) {
     with_mesh.surface = MeshSurface{path("t.obj")};
     with_mesh.camera = scene().camera;
     with_mesh.probe.reset();  // it lay on the shape
-    with_mesh.about = "";  // it told of the shape
+    with_mesh.about = "";     // it told of the shape
     EXPECT_EQ(scene(), with_mesh);
     expect_undo({before, scene()});
 }
@@ -123,8 +125,16 @@ TEST_F(FilesTest, SavingGoesBackToTheFile) {
     naive.rule = Rule::Naive;
     save_scene(naive, path("s.json"));
     start(load_scene(path("s.json")), path("s.json"));
-    keys({ImGuiKey_C, kCtrl | ImGuiKey_S, ImGuiKey_Enter, ImGuiKey_Enter});  // yes, overwrite it
+    keys({ImGuiKey_C, kCtrl | ImGuiKey_S});
+    EXPECT_FALSE(viewer().interface().dialog_shown());
+    EXPECT_EQ(message(), "Saved " + path("s.json"));
     EXPECT_EQ(load_scene(path("s.json")).rule, Rule::Cofactor);
+    key(kCtrl | kShift | ImGuiKey_S);
+    EXPECT_TRUE(viewer().interface().dialog_shown());
+    type(path("t.json"));
+    key(ImGuiKey_Enter);
+    EXPECT_EQ(load_scene(path("t.json")), scene());
+    EXPECT_EQ(named(), "t.json");
 }
 
 TEST_F(FilesTest, ThePictureIsAsLargeAsItIsShown) {

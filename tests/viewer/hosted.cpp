@@ -12,6 +12,7 @@ namespace normalscope {
 namespace {
 
 constexpr double kFrame = 1.0 / 60.0;
+constexpr std::string_view kUnsaved = "\u2022 ";
 
 KeyPress pressed(ImGuiKeyChord chord) {
     return {static_cast<ImGuiKey>(chord & ~ImGuiMod_Mask_), chord & ImGuiMod_Mask_, false};
@@ -61,7 +62,16 @@ void ViewerTest::start(Scene scene, const std::string& file, Remembered remember
 
 std::string ViewerTest::named() const {
     const auto dash = host_.title.find(" \u2013 ");
-    return dash == std::string::npos ? "" : host_.title.substr(0, dash);
+    if (dash == std::string::npos) return "";
+    const std::string name = host_.title.substr(0, dash);
+    return name.starts_with(kUnsaved) ? name.substr(kUnsaved.size()) : name;
+}
+
+bool ViewerTest::is_unsaved() const { return host_.title.starts_with(kUnsaved); }
+
+bool ViewerTest::asked() {
+    const ImGuiWindow* question = ImGui::FindWindowByName("##question");
+    return question && question->Active;
 }
 
 void ViewerTest::settle() {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/temporary_folder.h"
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
 #include "viewer/viewer.h"
 
 #include <gtest/gtest.h>
@@ -44,10 +44,11 @@ public:
     void toggle_full_screen() override { full = !full; }
     void to_next_monitor() override { ++monitor; }
     void close() override { closed = true; }
+    void keep(const std::string& scene) override { kept = scene; }
 
     double time = 0.0;
     glm::ivec2 size{1000, 720};
-    std::string text, title;
+    std::string text, title, kept;
     bool full = false, closed = false;
     int monitor = 0, uploads = 0, shows = 0;
     std::vector<Drawn> drawn;
@@ -81,6 +82,10 @@ protected:
     std::string message() const { return std::string(viewer_->interface().message()); }
     /// The name before the dash in the title; empty without one.
     std::string named() const;
+    /// The title has a dot before it.
+    bool is_unsaved() const;
+    /// A question waits for its answer.
+    static bool asked();
 
     /// Steps until there is nothing to do but wait for the user, or for a note to go.
     void settle();

@@ -21,6 +21,7 @@ TEST_F(ViewerTest, EachKeyChangesOneThingAndIsAStepToUndo) {
         {ImGuiKey_C, [](Scene& s) { s.rule = Rule::Cofactor; }},
         {ImGuiKey_I, [](Scene& s) { s.rule = Rule::InverseTranspose; }},
         {ImGuiKey_E, [](Scene& s) { s.color = SurfaceColor::Error; }},
+        {ImGuiKey_E, [](Scene& s) { s.color = SurfaceColor::Normals; }},
         {ImGuiKey_E, [](Scene& s) { s.color = SurfaceColor::Lit; }},
         {ImGuiKey_G, [](Scene& s) { s.show.ghost = true; }},
         {ImGuiKey_T, [](Scene& s) { s.theme = Theme::Dark; }},
@@ -161,6 +162,7 @@ TEST_F(ViewerTest, FullScreenAndTheEnd) {
     EXPECT_FALSE(host_.full);
     key(kCtrl | ImGuiKey_Q);
     EXPECT_TRUE(host_.closed);
+    EXPECT_FALSE(asked());
 }
 
 TEST_F(ViewerTest, KeysAreTextInADialog) {

@@ -71,9 +71,62 @@ TEST_F(LessonsTest, AfterALessonTheNextIfAskedTwice) {
     EXPECT_EQ(named(), "4-derivation");
 }
 
+TEST_F(LessonsTest, BeforeALessonTheOneBeforeIfAskedTwice) {
+    start_lesson("4-derivation#1");
+    key(ImGuiKey_PageUp);
+    EXPECT_EQ(named(), "4-derivation");
+    key(ImGuiKey_PageDown);  // rather not
+    EXPECT_EQ(step(), 0u);
+    keys({ImGuiKey_PageUp, ImGuiKey_PageUp});
+    EXPECT_EQ(named(), kLesson);
+    EXPECT_EQ(step(), lesson_.steps.size() - 1);
+    start_lesson(built_in_lessons().front().name + "#1");
+    keys({ImGuiKey_PageUp, ImGuiKey_PageUp});
+    EXPECT_EQ(named(), built_in_lessons().front().name);
+}
+
+TEST_F(LessonsTest, EndIsTheLastStep) {
+    start_lesson(kLesson);
+    key(ImGuiKey_End);
+    EXPECT_EQ(step(), lesson_.steps.size() - 1);
+}
+
+// Tab and arrows otherwise go from button to button, and on from there.
+TEST_F(LessonsTest, WhilePresentingNoKeyTakesTheRemotesKeysAway) {
+    start_lesson(kLesson);
+    key(ImGuiKey_F5);
+    for (const ImGuiKey other : {ImGuiKey_Tab, ImGuiKey_UpArrow, ImGuiKey_DownArrow, ImGuiKey_Home}) {
+        keys({other, other});
+        const std::size_t before = step();
+        key(ImGuiKey_PageDown);
+        EXPECT_EQ(step(), before + 1) << ImGui::GetKeyName(other);
+        key(ImGuiKey_PageUp);
+        EXPECT_EQ(step(), before) << ImGui::GetKeyName(other);
+    }
+    key(ImGuiKey_End);
+    key(ImGuiKey_PageUp);
+    EXPECT_EQ(step(), lesson_.steps.size() - 2);
+}
+
+TEST_F(LessonsTest, EscapeLeavesPresentingAndOnlyLaterAsksAboutTheLesson) {
+    start_lesson(kLesson);
+    keys({ImGuiKey_F5, ImGuiKey_Escape, ImGuiKey_Escape});
+    EXPECT_FALSE(lecture().presenting);
+    EXPECT_TRUE(lecture().player.running());
+    EXPECT_FALSE(asked());
+    wait(1.5);
+    key(ImGuiKey_Escape);
+    EXPECT_TRUE(asked());
+    EXPECT_TRUE(lecture().player.running());
+}
+
 TEST_F(LessonsTest, EscapeLeavesALessonAndItsStepStays) {
     start_lesson(kLesson);
+    keys({ImGuiKey_Escape, ImGuiKey_Escape});
+    EXPECT_TRUE(lecture().player.running()) << "asked, and rather not";
     key(ImGuiKey_Escape);
+    EXPECT_TRUE(asked());
+    key(ImGuiKey_Enter);
     EXPECT_FALSE(lecture().player.running());
     EXPECT_EQ(scene().stack, stack_of(0));
     key(ImGuiKey_PageDown);
@@ -132,17 +185,17 @@ TEST_F(LessonsTest, AnExercise) {
 
 TEST_F(LessonsTest, AnExercisesArrowIsDragged) {
     start_lesson("exercises:42");
-    const glm::dvec3 before = lecture().predict.guess().xyz;
+    const glm::dvec3 before = lecture().exercises.arrow().xyz;
     const auto& probe = viewer().frame()->probe;
     ASSERT_TRUE(probe);
     // Somewhere along the way from its foot is its tip.
     const glm::dvec3 foot = probe->point.xyz;
-    for (double along = 0.02; along < 2.0 && lecture().predict.guess().xyz == before; along += 0.04) {
+    for (double along = 0.02; along < 2.0 && lecture().exercises.arrow().xyz == before; along += 0.04) {
         const glm::dvec2 at = pixel(foot + along * glm::normalize(before));
         drag({at, at + glm::dvec2(40, 5)});
     }
-    EXPECT_NE(lecture().predict.guess().xyz, before);
-    EXPECT_FALSE(lecture().predict.dragging());
+    EXPECT_NE(lecture().exercises.arrow().xyz, before);
+    EXPECT_FALSE(lecture().exercises.dragging());
 }
 
 TEST_F(LessonsTest, WhatIsAskedStaysWhatItIs) {

@@ -166,6 +166,24 @@ TEST_F(PanelTest, ScrubbingTheStackMovesTheObject) {
     expect_undo({two, scene()});
 }
 
+TEST_F(PanelTest, ArrowKeysStepTheRayWhoseStepperStandsStill) {
+    Scene ray = light();
+    ray.ray = AimedRay{.from = Point<World>{{-1.2, 1.2, 0.6}}, .toward = Point<World>{{0, 0.2, 0.4}}, .step = 0};
+    host_.size = {1280, 600};
+    start(ray);
+    click(tab("Ray"));
+    const glm::dvec2 at = middle(Item("##side/##head") / "##next");
+    for (int i = 1; i <= AimedRay::kLastStep + 1; ++i) {
+        key(ImGuiKey_RightArrow);
+        EXPECT_EQ(scene().ray->step, std::min(i, AimedRay::kLastStep));
+        EXPECT_EQ(middle(Item("##side/##head") / "##next"), at);
+    }
+    key(ImGuiKey_LeftArrow);
+    EXPECT_EQ(scene().ray->step, AimedRay::kLastStep - 1);
+    click(Item("##side/##head") / "##previous");
+    EXPECT_EQ(scene().ray->step, AimedRay::kLastStep - 2);
+}
+
 TEST_F(PanelTest, PlayingEndsWithTheWholeStackAndIsNothingToUndo) {
     Scene two = light("shear");
     two.stack = {Scale{{1, 2, 1}}, Rotate{{0, 0, 1}, 40}};

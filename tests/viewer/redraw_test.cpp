@@ -107,6 +107,38 @@ TEST_F(RedrawTest, FontsAreUploadedOnceAndAgainForAnotherScale) {
     EXPECT_GT(host_.uploads, before);
 }
 
+// The symbol's arrow in the picture is lit while one points at the symbol, and only then.
+TEST_F(RedrawTest, PointingAtASymbolLightsItsArrowAtOnceAndNoLonger) {
+    host_.size = {1280, 800};
+    start();
+    key(ImGuiKey_D);
+    const auto solids = [&] { return viewer().frame()->panes.front().solids.size(); };
+    const std::size_t plain = solids();
+    const ImGuiWindow* lines = Item("##derivation/##lines").window();
+    const ImRect area = lines->InnerRect;
+    glm::dvec2 at(0.0);
+    for (float y = area.Min.y; y < area.Max.y && solids() == plain; y += 7)
+        for (float x = area.Min.x; x < area.Max.x && solids() == plain; x += 7) {
+            viewer().pointer_to(at = glm::dvec2(x, y));
+            viewer().step();
+        }
+    ASSERT_TRUE(viewer().interface().highlighted());
+    EXPECT_NE(solids(), plain) << "in the very frame";
+    EXPECT_TRUE(host_.drawn.back().anew);
+    settle();
+    EXPECT_NE(solids(), plain);
+    viewer().pointer_to(ground());
+    viewer().step();
+    EXPECT_FALSE(viewer().interface().highlighted());
+    EXPECT_EQ(solids(), plain);
+    EXPECT_TRUE(host_.drawn.back().anew);
+    point(at);
+    EXPECT_NE(solids(), plain);
+    viewer().pointer_left();
+    settle();
+    EXPECT_EQ(solids(), plain);
+}
+
 TEST_F(RedrawTest, WhatIsCopiedFromAFieldIsInTheHostsClipboard) {
     start(light("implicit-sphere"));
     keys({ImGuiMod_Ctrl | ImGuiKey_F, ImGuiMod_Ctrl | ImGuiKey_A, ImGuiMod_Ctrl | ImGuiKey_X});

@@ -1,6 +1,7 @@
 #include "core/base/file.h"
 
 #include "core/base/error.h"
+#include "core/base/links.h"
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -21,7 +22,7 @@ struct Close {
 using File = std::unique_ptr<std::FILE, Close>;
 
 [[noreturn]] void fail(const std::filesystem::path& file, std::string_view what, int error) {
-    throw InputError(file.string() + ": " + std::string(what) + ": " + std::strerror(error));
+    throw InputError(file.string(), std::string(what) + ": " + std::strerror(error));
 }
 
 // For a file of many megabytes, to get one small page after the other takes longer than to read it.
@@ -33,75 +34,94 @@ void prefer_large_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size
 #endif
 }
 
-void write_all(const std::filesystem::path& shown_as, const std::filesystem::path& to, std::string_view bytes) {
+std::FILE* open_to_write(const std::filesystem::path& file, const char* mode) {
     errno = 0;
-    std::FILE* file = std::fopen(to.c_str(), "wb");
-    if (!file) fail(shown_as, "cannot be written", errno);
+    std::FILE* stream = std::fopen(file.c_str(), mode);
+    if (!stream) fail(file, "cannot be written", errno);
+    return stream;
+}
+
+struct Partial {
+    std::filesystem::path file;
+    std::FILE* stream;
+};
+// A file beside the one that it will become, which nobody else writes: not another thread, and not a process of the same
+// number in another container that shares the folder.
+Partial open_partial(const std::filesystem::path& shown_as, const std::filesystem::path& file) {
+    for (int i = 0;; ++i) {
+        std::filesystem::path partial = file;
+        partial += ".part" + std::to_string(::getpid()) + (i > 0 ? "." + std::to_string(i) : "");
+        errno = 0;
+        if (std::FILE* stream = std::fopen(partial.c_str(), "wbx")) return {partial, stream};
+        if (errno != EEXIST || i == 100) fail(shown_as, "cannot be written", errno);
+    }
+}
+
+void write_all(const std::filesystem::path& shown_as, std::FILE* file, std::string_view bytes) {
+    errno = 0;
     const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fflush(file) == 0;
     const int error = errno;
     // A full disk may show itself only when the file is closed.
     if (std::fclose(file) != 0 || !written) fail(shown_as, "cannot be written", written ? errno : error);
 }
 
-}  // namespace
+[[noreturn]] void too_large(const std::string& name, std::size_t largest) {
+    throw InputError(name, "is larger than " + std::to_string(largest >> 20) + " MiB, the most that is read");
+}
 
-std::string read_file(const std::filesystem::path& file, std::size_t largest) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(file, ignored)) throw InputError(file.string() + ": is a folder, not a file");
-    errno = 0;
-    const File in(std::fopen(file.c_str(), "rb"));
-    if (!in) fail(file, "cannot be read", errno);
-    const auto too_large = [&] {
-        throw InputError(file.string() + ": is larger than " + std::to_string(largest >> 20) +
-                         " MiB, the most that is read");
-    };
-    // The size that the file says it has is a hint only: a pipe says nothing, and a file may grow meanwhile.
-    std::error_code unknown;
-    const std::uintmax_t size = std::filesystem::file_size(file, unknown);
-    if (!unknown && size > largest) too_large();
+// `room` is how large it is expected to be.
+std::string read_all(std::FILE* in, const std::string& name, std::size_t room, std::size_t largest) {
     std::string bytes;
-    const std::size_t room = unknown ? std::size_t{1} << 16 : static_cast<std::size_t>(size) + 1;
     bytes.reserve(room);
     prefer_large_pages(bytes.data(), room);
     bytes.resize(room);
     std::size_t filled = 0;
-    while (const std::size_t got = std::fread(bytes.data() + filled, 1, bytes.size() - filled, in.get())) {
+    while (const std::size_t got = std::fread(bytes.data() + filled, 1, bytes.size() - filled, in)) {
         filled += got;
-        if (filled > largest) too_large();
+        if (filled > largest) too_large(name, largest);
         if (filled == bytes.size()) bytes.resize(2 * filled);
     }
-    if (std::ferror(in.get())) fail(file, "cannot be read", errno);
+    if (std::ferror(in)) fail(name, "cannot be read", errno);
     bytes.resize(filled);
     return bytes;
 }
 
+constexpr std::size_t kUsualRoom = std::size_t{1} << 16;
+
+}  // namespace
+
+std::string read_file(const std::filesystem::path& file, std::size_t largest) {
+    if (file.native().find('\0') != file.native().npos)
+        throw InputError(file.string(), "a file's name cannot hold a NUL");
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file, ignored)) throw InputError(file.string(), "is a folder, not a file");
+    errno = 0;
+    const File in(std::fopen(file.c_str(), "rb"));
+    if (!in) fail(file, "cannot be read", errno);
+    // The size that the file says it has is a hint only: a pipe says nothing, and a file may grow meanwhile.
+    std::error_code unknown;
+    const std::uintmax_t size = std::filesystem::file_size(file, unknown);
+    if (!unknown && size > largest) too_large(file.string(), largest);
+    return read_all(in.get(), file.string(), unknown ? kUsualRoom : static_cast<std::size_t>(size) + 1, largest);
+}
+
+std::string read_standard_input(std::size_t largest) { return read_all(stdin, "standard input", kUsualRoom, largest); }
+
 void write_file(const std::filesystem::path& file, std::string_view bytes) {
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(file, error);
-    // The stream itself: where it is a plain file, a rename would replace that file, or the link.
-    if (file == "/dev/stdout") {
-        errno = 0;
-        if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0)
-            fail("standard output", "cannot be written", errno);
-        return;
-    }
-    if (std::filesystem::is_directory(status)) throw InputError(file.string() + ": is a folder, not a file");
+    if (std::filesystem::is_directory(status)) throw InputError(file.string(), "is a folder, not a file");
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-        return write_all(file, file, bytes);
+        return write_all(file, open_to_write(file, "wb"), bytes);
 
-    // A link stays one: it is what it points to that is written anew.
-    if (std::filesystem::is_symlink(file, error)) {
-        const std::filesystem::path target = std::filesystem::weakly_canonical(file, error);
-        if (!error && target != file) return write_file(target, bytes);
-    }
-    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+    const std::filesystem::path end = without_links(file);  // a link stays one
+    const std::filesystem::path folder = end.has_parent_path() ? end.parent_path() : std::filesystem::path(".");
     if (!std::filesystem::is_directory(folder, error))
-        throw InputError(file.string() + ": cannot be written: there is no folder " + folder.string());
-    std::filesystem::path partial = file;
-    partial += ".part" + std::to_string(::getpid());
+        throw InputError(file.string(), "cannot be written: there is no folder " + folder.string());
+    const auto [partial, stream] = open_partial(file, end);
     try {
-        write_all(file, partial, bytes);
-        std::filesystem::rename(partial, file);
+        write_all(file, stream, bytes);
+        std::filesystem::rename(partial, end);
     } catch (const std::filesystem::filesystem_error& e) {
         std::filesystem::remove(partial, error);
         fail(file, "cannot be written", e.code().value());

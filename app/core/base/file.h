@@ -9,6 +9,8 @@ namespace normalscope {
 
 /// The whole file. Throws InputError: missing, unreadable, a folder, or larger than `largest` bytes.
 std::string read_file(const std::filesystem::path& file, std::size_t largest);
+/// The same of standard input, until its end.
+std::string read_standard_input(std::size_t largest);
 
 /// Writes beside the file and renames, so that whoever stops half way (a full disk, a kill) loses nothing that was
 /// there before. "/dev/stdout" and other things that are not plain files are written directly. Throws InputError.

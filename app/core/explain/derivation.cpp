@@ -9,6 +9,7 @@ namespace {
 struct Parts {
     Expression n_obj, v_obj, n_world, v_world, m3;
     int rank = 3;
+    bool affine = true;
 };
 
 std::optional<Value> times(const std::optional<Value>& a, const std::optional<Value>& b) {
@@ -59,6 +60,27 @@ std::vector<Step> derive(const Parts& p) {
     return steps;
 }
 
+// Where the argument stops under an M that is not affine, and what holds in its place.
+void remark_not_affine(Step& wanted, Step& tangent, Step& solved, const Parts& p) {
+    if (!p.n_world.value) {
+        wanted.remark = "M leaves no surface here, and so no normal";
+        return;
+    }
+    wanted.remark =
+        "M is not affine: n_world is the image of the tangent plane π = (n_obj, −n_obj · p), the first three numbers "
+        "of "
+        "(M⁻¹)ᵀ π; and v_world is the Jacobian’s, (M₃ − p′ rᵀ)/w v_obj, with p′ the image of the point p, rᵀ the first "
+        "three numbers of M’s bottom row, and w what p′ was divided by";
+    tangent.remark =
+        tangent.state == Step::State::Holds
+            ? "this tangent’s w stays as it is, but other tangents’ do not, since M is not affine: for them "
+              "the argument stops here"
+            : "here the argument stops: M is not affine, so that it divides by a w that changes along the "
+              "tangent, and M₃ v_obj is not v_world. No 3×3 matrix is right everywhere; what follows is "
+              "what M₃ alone would do";
+    if (p.rank < 3) solved.remark = "M₃ has no inverse, whether or not M has one";
+}
+
 // What can be said of the lines when M3 has no inverse, or there is nothing to say it of.
 void remark(std::vector<Step>& steps, const Parts& p, const std::optional<Rule>& by, bool probed) {
     const auto at = [&](std::string_view id) -> Step& {
@@ -70,6 +92,7 @@ void remark(std::vector<Step>& steps, const Parts& p, const std::optional<Rule>&
         at("given").remark = "nothing of the surface can be seen, so there is no point to take numbers from";
         return;
     }
+    if (!p.affine) return remark_not_affine(at("wanted"), at("tangent"), at("solved"), p);
     if (p.rank == 3) return;
     const std::string rank = "M₃ has rank " + std::to_string(p.rank);
     if (by) {
@@ -117,7 +140,7 @@ HomogeneousDemo homogeneous(const Transform<World, Object>& m, int factors, cons
     demo.reason =
         "the last column of M, the translation, is multiplied by w: by 1 for a point, by 0 for a vector. A normal "
         "is no point: sent with w = 1 it would pick up the translation";
-    if (!is_affine(m.matrix()))
+    if (!m.affine())
         demo.reason =
             "the bottom row of M is not 0 0 0 1, so M is not affine: it gives a point's w another value, which is "
             "divided "
@@ -143,11 +166,16 @@ Derivation derivation(const Transform<World, Object>& world_from_object, int fac
     const Value m3 = value_of(matrices.naive, factors);
     std::optional<Value> n_obj;
     std::array<std::optional<Value>, 2> v_obj, v_world;
+    const bool affine = world_from_object.affine();
+    // What takes tangents along at the probe.
+    const Transform<World, Object> local = probe ? world_from_object.at(probe->point) : world_from_object;
+    const int local_rank = local.normal_matrices_by_rule().rank;
+    const Value jacobian = affine ? m3 : value_of(local.normal_matrices_by_rule().naive, factors + 2);
     if (probe) {
         n_obj = value_of(probe->normal.xyz);
         for (std::size_t k = 0; k < 2; ++k) {
             v_obj[k] = value_of(probe->tangents[k].xyz);
-            v_world[k] = times(m3, v_obj[k]);
+            v_world[k] = times(jacobian, v_obj[k]);
         }
     }
     const std::optional<Value> inverted_m3 = inverse(m3, matrices.rank);
@@ -156,15 +184,23 @@ Derivation derivation(const Transform<World, Object>& world_from_object, int fac
         times(cofactor(m3, matrices.rank), n_obj)};
 
     Derivation result;
-    const std::optional<Value> truth = matrices.rank == 3 ? normals[1] : if_not_zero(normals[2]);
-    if (truth) result.n_world_by = matrices.rank == 3 ? Rule::InverseTranspose : Rule::Cofactor;
-    const Meaning by = result.n_world_by == Rule::Cofactor ? Meaning::Cofactor : Meaning::InverseTranspose;
+    result.affine = affine;
+    const std::optional<Value> back = inverse(jacobian, local_rank);
+    const std::optional<Value> truth = affine && matrices.rank == 3 ? normals[1]
+                                       : back                       ? times(transpose(*back), n_obj)
+                                              : if_not_zero(times(cofactor(jacobian, local_rank), n_obj));
+    if (truth && affine) result.n_world_by = matrices.rank == 3 ? Rule::InverseTranspose : Rule::Cofactor;
+    result.n_world = truth;
+    const Meaning by = !affine                               ? Meaning::Plain
+                       : result.n_world_by == Rule::Cofactor ? Meaning::Cofactor
+                                                             : Meaning::InverseTranspose;
     const Parts parts{.n_obj = symbol(Symbol::NObject, Meaning::Object, n_obj),
                       .v_obj = symbol(Symbol::VObject, Meaning::Tangent, v_obj[tangent]),
                       .n_world = symbol(Symbol::NWorld, by, truth),
                       .v_world = symbol(Symbol::VWorld, Meaning::Tangent, v_world[tangent]),
                       .m3 = symbol(Symbol::M3, Meaning::Plain, m3),
-                      .rank = matrices.rank};
+                      .rank = matrices.rank,
+                      .affine = affine};
     result.steps = derive(parts);
     remark(result.steps, parts, result.n_world_by, probe.has_value());
     for (std::size_t r = 0; r < kRules.size(); ++r) result.checks[r] = check(kRules[r], normals[r], v_world, truth);

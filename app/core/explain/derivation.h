@@ -51,10 +51,13 @@ struct HomogeneousDemo {
 
 /// "Why the inverse transpose?", from what a normal is to the rule.
 struct Derivation {
-    /// Whose normal n_world is: the inverse transpose's or, at rank 2, the cofactor's. Empty: there is no normal.
+    bool affine = true;  ///< where M is not, tangents go by its Jacobian at the probe, and n_world comes from that, too
+    /// Whose normal n_world is: the inverse transpose's or, at rank 2, the cofactor's. Empty: there is no normal, or M is
+    /// not affine, and no rule gives it.
     std::optional<Rule> n_world_by;
+    std::optional<Value> n_world;
     std::vector<Step> steps;
-    std::array<RuleCheck, 3> checks;  ///< in the order of kRules
+    ByRule<RuleCheck> checks;
     HomogeneousDemo homogeneous;
 };
 

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -18,7 +19,7 @@ std::string note_on(const Scene& scene, const Transform<World, Object>& m, const
     std::string note = "In the naive rule's place the picture shows another mistake, " + std::string(mistake.formula) +
                        " (" + std::string(mistake.title) + "). " + std::string(mistake.reason);
     const std::optional<NormalMap> map = normal_map(scene, m, Rule::Naive);
-    const std::optional<Normal<World>> right = probe ? m(probe->normal) : std::nullopt;
+    const std::optional<Normal<World>> right = probe ? m(probe->point, probe->normal) : std::nullopt;
     if (!map || !right) return note;
     const auto off = angle_degrees((*map)(probe->normal).xyz, right->xyz);
     return off ? note + " At the probe its direction is off by " + number_text(*off, 1e-7, 3) + "°." : note;
@@ -29,26 +30,39 @@ std::string note_on(const Scene& scene, const Transform<World, Object>& m, const
 std::vector<std::string> notes(const Scene& scene, const Transform<World, Object>& m,
                                const std::optional<Probe>& probe) {
     const NormalMatrices& matrices = m.normal_matrices_by_rule();
+    const std::vector<StackEntry> stack = applied_stack(scene);
     std::vector<std::string> result;
-    if (applied_stack(scene).empty())
-        result.emplace_back("The stack is empty: M is the identity, and every rule agrees.");
-    if (!is_affine(m.matrix()))
+    if (stack.empty()) result.emplace_back("The stack is empty: M is the identity, and every rule agrees.");
+    if (std::ranges::any_of(stack, [](const StackEntry& entry) {
+            const auto* given = std::get_if<Matrix>(&entry);
+            return given && given->matrix != matrix(entry);
+        }))
         result.emplace_back(
-            "M is not affine: its bottom row is not 0 0 0 1. All that follows is about its upper left 3×3, M₃, and "
-            "holds for points "
-            "only as far as M is M₃ and a translation.");
+            "A matrix with the bottom row 0 0 0 s is the same map as that matrix divided by s, since points are "
+            "divided by their w, and so it is shown.");
+    if (!m.affine())
+        result.emplace_back(
+            "M is not affine: its bottom row is not 0 0 0 1. Points are divided by their w, tangents go by the "
+            "Jacobian "
+            "(M₃ − p′ rᵀ)/w at their point, and normals with their tangent planes, by (M⁻¹)ᵀ: no 3×3 matrix does that "
+            "everywhere. Every rule, made from the upper left 3×3, M₃, is an approximation here, and what is said of "
+            "M₃ "
+            "alone is about no more than that.");
+    if (!m.affine() && m.rank() < 3)
+        result.emplace_back("M has no inverse: it leaves no solid, and planes have no image by (M⁻¹)ᵀ.");
     if (scene.mistake != Mistake::Naive) result.push_back(note_on(scene, m, probe));
-    if (matrices.rank == 2)
+    if (m.affine() && matrices.rank == 2)
         result.emplace_back(
             "M₃ has rank 2: it flattens the object to a plane. It has no inverse, so there is no inverse transpose; "
             "the "
             "cofactor matrix still gives the flattened object's normal.");
-    if (matrices.rank == 1)
+    if (m.affine() && matrices.rank == 1)
         result.emplace_back(
             "M₃ has rank 1: it flattens the object to a line. There is no inverse, the cofactor matrix is zero, and no "
             "normal at all.");
-    if (matrices.rank == 0) result.emplace_back("M₃ is zero: the object is gone to a point. No rule gives a normal.");
-    if (matrices.determinant < 0.0)
+    if (m.affine() && matrices.rank == 0)
+        result.emplace_back("M₃ is zero: the object is gone to a point. No rule gives a normal.");
+    if (m.affine() && matrices.determinant < 0.0)
         result.emplace_back(
             "M₃ reflects (its determinant is negative). The inverse transpose carries gradients, so its normal keeps "
             "pointing "
@@ -61,12 +75,15 @@ std::vector<std::string> notes(const Scene& scene, const Transform<World, Object
                          ", so the inverse may lose about " + std::to_string(lost) + " of a double's 16 digits" +
                          (lost >= 12 ? "; treat it as if it had no inverse." : "."));
     }
-    if (matrices.rank < 3 && singular_values(matrices.naive).sigma.z > 0.0)
+    if (m.affine() && matrices.rank < 3 && singular_values(matrices.naive).sigma.z > 0.0)
         result.emplace_back(
             "The smallest stretch factor is no larger than what rounding makes of zero (4ε of the largest), or an "
             "entry of the "
             "stack is singular: it counts as zero.");
-    if (std::holds_alternative<FormulaSurface>(scene.surface) && matrices.rank < 3)
+    if (std::holds_alternative<FormulaSurface>(scene.surface) && !m.affine())
+        result.emplace_back(
+            "Rays bend under an M that is not affine: the picture shows the surface’s triangles, carried along by M.");
+    else if (std::holds_alternative<FormulaSurface>(scene.surface) && matrices.rank < 3)
         result.emplace_back(
             "Without M⁻¹ no ray finds its way to object space: the picture shows the surface's triangles, carried "
             "along "
@@ -103,13 +120,15 @@ Explanation explanation(const Scene& scene, const std::optional<Probe>& any_prob
     Explanation e;
     e.about = scene.about;
     e.m = value_of(m.matrix(), factors);
+    e.affine = m.affine();
     e.matrices = matrices;
     e.probe = probe;
     e.notes = notes(scene, m, any_probe);
     e.derivation = derivation(m, factors, probe, tangent);
     e.stack = stack_algebra(stack);
-    if (!stack.empty()) e.orders = orders_of_inverses(stack, probe);
+    if (!stack.empty()) e.orders = orders_of_inverses(stack, m, probe);
     e.decomposition = decomposition(matrices.naive, matrices.rank);
+    if (!m.affine()) e.decomposition.worst.reset();  // of M3 alone
     e.claims = claims(m.matrix(), matrices.rank);
     e.classes = map_classes(m.matrix(), matrices.rank);
     return e;
@@ -121,7 +140,8 @@ std::string explain(const Scene& scene, ExplainFormat format) {
     Explanation e = explanation(scene, frame.probe ? std::optional(frame.probe->object) : std::nullopt);
     e.implicit = frame.surface->implicit;
     if (frame.probe) e.gradient = gradient_report(*frame.surface, frame.probe->object);
-    if (e.implicit && !frame.surface->mesh.note.empty()) e.notes.push_back(frame.surface->mesh.note);
+    const std::vector<std::string>& notes = frame.surface->mesh.notes;
+    if (e.implicit) e.notes.insert(e.notes.end(), notes.begin(), notes.end());
     switch (format) {
         case ExplainFormat::Text: return explanation_text(e);
         case ExplainFormat::Json: return explanation_json(scene, frame, e);

@@ -19,6 +19,7 @@ namespace normalscope {
 struct Explanation {
     std::string about;
     Value m;  ///< 4×4
+    bool affine = true;
     NormalMatrices matrices;
     std::optional<Probe> probe;
     std::vector<std::string> notes;

@@ -139,6 +139,9 @@ std::string of_checks(const Explanation& e) {
         out += row + " \\\\\n";
     }
     out += "\\end{tabular}\n\n";
+    if (!e.affine && e.derivation.n_world)
+        out += "No rule is right under this $M$. The normal, by the image of the tangent plane: $" +
+               latex_matrix(transpose(*e.derivation.n_world)) + "$.\n\n";
     if (e.claims.worst_degrees)
         out += "For some normal, somewhere, the naive rule is off by as much as " + degrees(e.claims.worst_degrees) +
                " under this $M$.\n\n";
@@ -175,9 +178,12 @@ std::string of_stack(const Explanation& e) {
         display(named("\\text{composite of the inverses: } \\textstyle\\prod (A_3^{-1})^{\\mathsf T}", last.composite));
     out += display(named("\\text{inverse of the composite: } (M_3^{-1})^{\\mathsf T}", last.inverted_product));
     if (last.apart)
-        out += last.apart->relative <= 1e-14
-                   ? "They are the same but for rounding.\n\n"
-                   : "They are $" + latex_number(last.apart->relative, 0.0, 2) + "$ apart, of the largest entry.\n\n";
+        out +=
+            last.apart->relative <= 1e-14 ? "They are the same but for rounding.\n\n"
+            : !e.affine
+                ? "They differ, since $M$ is not affine: the $3\\times3$ part of a product is then not the product of "
+                  "the $3\\times3$ parts.\n\n"
+                : "They are $" + latex_number(last.apart->relative, 0.0, 2) + "$ apart, of the largest entry.\n\n";
     out += "\\subsection*{The wrong orders}\n\\begin{tabular}{lrp{0.45\\textwidth}}\n";
     for (const OrderOfInverses& order : e.orders)
         out += latex_text(order.formula) + " & " + (order.matrix ? degrees(order.degrees_off) : "none") +
@@ -233,7 +239,8 @@ std::string equations_latex(const Explanation& e) {
         if (step.id != "given" && step.id != "wanted" && step.id != "rule") continue;
         out += "  " + aligned(latex_names(step.line)) + " \\\\\n";
         if (step.id == "rule" && step.state != Step::State::NoValue)
-            out += "  " + aligned(latex_numbers(step.line)) + " \\\\\n";
+            out += "  " + aligned(latex_numbers(step.line)) +
+                   (step.state == Step::State::Fails ? " \\quad\\text{does not hold}" : "") + " \\\\\n";
     }
     out.resize(out.size() - 4);
     return out + "\n\\end{align*}\n";

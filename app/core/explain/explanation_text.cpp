@@ -177,6 +177,13 @@ std::string of_checks(const Explanation& e) {
         }
         out += indented({line}, 2);
     }
+    if (!e.affine && e.derivation.n_world) {
+        const Value& n = *e.derivation.n_world;
+        out += "\n" +
+               paragraph("No rule is right under this M. The normal, by the image of the tangent plane: (" +
+                             number_text(n, 0, 0) + ", " + number_text(n, 1, 0) + ", " + number_text(n, 2, 0) + ").",
+                         2);
+    }
     if (!e.claims.worst_degrees) return out;
     return out + "\n" +
            paragraph("For some normal, somewhere, the naive rule is off by as much as " +
@@ -205,7 +212,8 @@ std::string of_stack(const Explanation& e) {
     if (e.stack.empty()) return out + "  empty: M = I\n";
     int number = 0;
     for (const EntryAlgebra& entry : e.stack) {
-        out += (number > 0 ? "\n" : "") + indented({std::to_string(++number) + ". " + entry.kind}, 2) + "\n";
+        ++number;
+        out += "\n" + indented({std::to_string(number) + ". " + entry.kind}, 2) + "\n";
         out += flowing({named("A", entry.a), named("A₃⁻¹", entry.inverse), named("(A₃⁻¹)ᵀ", entry.inverse_transpose)},
                        kIndent);
         for (const std::string& observation : entry.observations) out += "\n" + paragraph(observation, kIndent);
@@ -225,8 +233,10 @@ std::string of_stack(const Explanation& e) {
     const double rounding = 1e-15 * (1.0 + number) * e.claims.condition.value_or(1.0);
     return out + "\n" +
            paragraph(
-               last.apart->relative <= rounding
-                   ? "They are the same but for rounding."
+               last.apart->relative <= rounding ? "They are the same but for rounding."
+               : !e.affine
+                   ? "They differ, since M is not affine: the 3×3 part of a product is then not the product of the 3×3 "
+                     "parts."
                    : "They are " + number_text(last.apart->relative, 0.0, 2) +
                          " of their largest entry apart: rounding, amplified by entries that are nearly singular.",
                2);

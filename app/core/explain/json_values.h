@@ -42,11 +42,11 @@ nlohmann::ordered_json json_or_null(const std::optional<T>& v, F&& json) {
     return v ? nlohmann::ordered_json(json(*v)) : nlohmann::ordered_json(nullptr);
 }
 
-/// An object with one value a rule, in the order of kRules.
+/// An object with one value a rule.
 template <class T, class F>
-nlohmann::ordered_json json_by_rule(const std::array<T, 3>& values, F&& json) {
+nlohmann::ordered_json json_by_rule(const ByRule<T>& values, F&& json) {
     auto result = nlohmann::ordered_json::object();
-    for (std::size_t i = 0; i < kRules.size(); ++i) result[std::string(name(kRules[i]))] = json(values[i]);
+    for (const Rule rule : kRules) result[std::string(name(rule))] = json(values[rule]);
     return result;
 }
 

@@ -1,8 +1,9 @@
 #include "core/explain/latex.h"
 
+#include "core/base/decimal.h"
+
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace normalscope {
@@ -160,10 +161,8 @@ std::string latex_text(std::string_view utf8) {
 }
 
 std::string latex_color(const glm::vec3& srgb) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3f,%.3f,%.3f", static_cast<double>(srgb.r), static_cast<double>(srgb.g),
-                  static_cast<double>(srgb.b));
-    return text.data();
+    const auto share = [](float s) { return with_decimals(static_cast<double>(s), 3); };
+    return share(srgb.r) + "," + share(srgb.g) + "," + share(srgb.b);
 }
 
 }  // namespace normalscope

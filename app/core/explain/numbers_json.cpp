@@ -24,6 +24,7 @@ Json probe_json(const ProbeInWorld& p, const ImplicitSurface* implicit) {
     const bool any = p.object.has_normal();
     j["n_object"] = any ? vector(p.object.normal) : Json(nullptr);
     j["n_world"] = json_by_rule(p.normals, [&](const auto& n) { return json_or_null(n, vector); });
+    if (!p.affine) j["true_normal"] = json_or_null(p.truth, vector);  // otherwise a rule's, above
     j["tangents_object"] = any ? pair(p.object.tangents) : Json(nullptr);
     j["tangents_world"] = any ? pair(p.tangents) : Json(nullptr);
     j["dots"] = json_by_rule(p.dots, [](const auto& d) {
@@ -47,7 +48,7 @@ Json numbers_json(const Scene& scene, const Frame& frame, const std::optional<Dr
     const Transform<World, Object> m = world_from_object(scene);
     const NormalMatrices& matrices = m.normal_matrices_by_rule();
     const auto mistaken = normal_map(scene, m, Rule::Naive);
-    const auto errors = mistaken ? error_statistics(frame.surface->mesh, *mistaken, matrices) : std::nullopt;
+    const auto errors = mistaken ? error_statistics(frame.surface->mesh, *mistaken, m) : std::nullopt;
 
     Json j;
     const auto of_drawing = [&](std::string Drawn::* what) { return drawn ? Json((*drawn).*what) : Json(nullptr); };
@@ -57,6 +58,7 @@ Json numbers_json(const Scene& scene, const Frame& frame, const std::optional<Dr
     j["context"] = of_drawing(&Drawn::context);
     j["mistake"] = std::string(name(scene.mistake));  // what stands in the naive rule's place below
     j["M"] = json_rows(m.matrix());
+    j["affine"] = m.affine();
     j["determinant"] = json_number(matrices.determinant);
     j["rank"] = matrices.rank;
     j["condition"] = json_or_null(matrices.condition(), json_number);
@@ -65,14 +67,16 @@ Json numbers_json(const Scene& scene, const Frame& frame, const std::optional<Dr
             json_or_null(matrices.by(rule), [](const auto& n) { return json_rows(n); });
     j["error_degrees"]["worst"] = json_or_null(errors, [](const auto& e) { return json_number(e.worst_degrees); });
     j["error_degrees"]["mean"] = json_or_null(errors, [](const auto& e) { return json_number(e.mean_degrees); });
-    j["error_degrees"]["bound"] = json_or_null(matrices.error_bound_degrees(), json_number);
+    j["error_degrees"]["bound"] = json_or_null(m.affine() ? matrices.error_bound_degrees() : std::nullopt, json_number);
     j["error_degrees"]["at"] = json_or_null(errors, [](const auto& e) { return json_vector(e.at.xyz); });
+    const ByRule<std::optional<NormalMap>> maps{mistaken, normal_map(scene, m, Rule::InverseTranspose),
+                                                normal_map(scene, m, Rule::Cofactor)};
+    const auto tangents = mistaken_tangents(scene, m);
     const auto dots =
-        worst_dots(frame.surface->mesh.normals,
-                   {mistaken, normal_map(scene, m, Rule::InverseTranspose), normal_map(scene, m, Rule::Cofactor)},
-                   tangent_matrix(scene, m));
-    for (const Rule rule : kRules)
-        j["worst_dot"][std::string(name(rule))] = json_or_null(dots[static_cast<std::size_t>(rule)], json_number);
+        tangents ? worst_dots(frame.surface->mesh.normals, maps, *tangents) : worst_dots(frame.surface->mesh, maps, m);
+    for (const Rule rule : kRules) j["worst_dot"][std::string(name(rule))] = json_or_null(dots[rule], json_number);
+    const Mesh& mesh = frame.surface->mesh;  // as it is drawn
+    j["surface"] = {{"triangles", mesh.triangles.size()}, {"vertices", mesh.positions.size()}, {"notes", mesh.notes}};
     j["probe"] =
         json_or_null(frame.probe, [&](const ProbeInWorld& p) { return probe_json(p, frame.surface->implicit.get()); });
     return j;

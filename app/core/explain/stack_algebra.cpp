@@ -14,12 +14,6 @@ namespace {
 
 constexpr double kSame = 1e-12;  // entries of matrices that are the same but for rounding, relative to the largest
 
-double largest_entry(const glm::dmat3& m) {
-    double largest = 0.0;
-    for (int c = 0; c < 3; ++c)
-        for (int r = 0; r < 3; ++r) largest = std::max(largest, std::abs(m[c][r]));
-    return largest;
-}
 bool same(const glm::dmat3& a, const glm::dmat3& b) {
     return largest_entry(a - b) <= kSame * std::max(largest_entry(a), largest_entry(b));
 }
@@ -73,8 +67,8 @@ std::vector<EntryAlgebra> stack_algebra(std::span<const StackEntry> stack) {
     for (const StackEntry& entry : stack) {
         const glm::dmat4 a = matrix(entry);
         const NormalMatrices matrices = normal_matrices(glm::dmat3(a));
-        rank = std::min(rank, matrices.rank);
         m = a * m;
+        rank = is_affine(a) && is_affine(m) ? std::min(rank, matrices.rank) : 3;
         ++factors;
         composite = composite && matrices.inverse_transpose ? std::optional(*matrices.inverse_transpose * *composite)
                                                             : std::nullopt;
@@ -107,7 +101,8 @@ bool commute(std::span<const StackEntry> stack) {
     return true;
 }
 
-std::vector<OrderOfInverses> orders_of_inverses(std::span<const StackEntry> stack, const std::optional<Probe>& probe) {
+std::vector<OrderOfInverses> orders_of_inverses(std::span<const StackEntry> stack, const Transform<World, Object>& m,
+                                                const std::optional<Probe>& probe) {
     const int factors = static_cast<int>(stack.size());
     int rank = 3;
     std::optional<glm::dmat3> right(glm::dmat3(1.0)), reversed(glm::dmat3(1.0));
@@ -120,20 +115,22 @@ std::vector<OrderOfInverses> orders_of_inverses(std::span<const StackEntry> stac
         reversed = *reversed * *matrices.inverse_transpose;
     }
     const glm::dmat3 m3(product(stack));
-    const auto truth = normal_matrices(m3, rank).inverse_transpose;
+    const auto truth = normal_matrices(m3, m.affine() ? rank : 3).inverse_transpose;
+    const auto true_normal = probe ? m(probe->point, probe->normal) : std::nullopt;
     const auto inverse_only = truth ? std::optional(glm::transpose(*truth)) : std::nullopt;
 
     std::vector<OrderOfInverses> result;
-    const auto add = [&](std::string id, std::string formula, std::string reason, const std::optional<glm::dmat3>& m) {
+    const auto add = [&](std::string id, std::string formula, std::string reason, const std::optional<glm::dmat3>& by) {
         OrderOfInverses order{.id = std::move(id),
                               .formula = std::move(formula),
                               .reason = std::move(reason),
-                              .matrix = value_if(m, factors)};
+                              .matrix = value_if(by, factors)};
         if (order.matrix && truth) {
             const auto d = difference(*order.matrix, value_of(*truth, factors));
-            order.is_right = d && d->largest <= 1e-9 * largest_entry(*truth);
-            if (probe) order.degrees_off = angle_degrees(*m * probe->normal.xyz, *truth * probe->normal.xyz);
+            order.is_right = m.affine() && d && d->largest <= 1e-9 * largest_entry(*truth);
         }
+        if (order.matrix && true_normal && (truth || !m.affine()))
+            order.degrees_off = angle_degrees(*by * probe->normal.xyz, true_normal->xyz);
         result.push_back(std::move(order));
     };
     add("right", "((AB)⁻¹)ᵀ = (A⁻¹)ᵀ (B⁻¹)ᵀ",

@@ -39,6 +39,8 @@ struct OrderOfInverses {
 /// Whether what the entries do to vectors is the same in every order, but for rounding.
 bool commute(std::span<const StackEntry> stack);
 /// What comes of taking the inverses or the transposes in the wrong order, or of leaving one of them out.
-std::vector<OrderOfInverses> orders_of_inverses(std::span<const StackEntry> stack, const std::optional<Probe>& probe);
+/// `m` is their product: where it is not affine, none is right.
+std::vector<OrderOfInverses> orders_of_inverses(std::span<const StackEntry> stack, const Transform<World, Object>& m,
+                                                const std::optional<Probe>& probe);
 
 }  // namespace normalscope

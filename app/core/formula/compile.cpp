@@ -12,11 +12,11 @@ namespace {
 
 struct Hash {
     std::size_t operator()(const Instruction& i) const {
-        std::size_t hash = static_cast<std::size_t>(i.code);
-        for (const std::size_t v :
-             {std::size_t{i.a}, std::size_t{i.b}, std::size_t{i.c}, std::hash<double>()(i.constant)})
+        auto hash = static_cast<std::uint64_t>(i.code);
+        for (const std::uint64_t v : {std::uint64_t{i.a}, std::uint64_t{i.b}, std::uint64_t{i.c},
+                                      std::uint64_t{std::hash<double>()(i.constant)}})
             hash = (hash ^ v) * 0xBF58476D1CE4E5B9u;
-        return hash ^ hash >> 31;
+        return static_cast<std::size_t>(hash ^ hash >> 31);
     }
 };
 

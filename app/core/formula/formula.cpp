@@ -16,4 +16,13 @@ Formula read(std::string_view text) {
     return result;
 }
 
+std::string parameters_in(std::string_view text) {
+    try {
+        Graph graph;
+        return parameters_of(graph, parse(graph, text));
+    } catch (const InputError&) {
+        return {};
+    }
+}
+
 }  // namespace normalscope::formulas

@@ -24,4 +24,7 @@ struct Formula {
 /// derivatives are too long to hold.
 Formula read(std::string_view text);
 
+/// The letters of the parameters that occur in a formula; none where it cannot be read.
+std::string parameters_in(std::string_view text);
+
 }  // namespace normalscope::formulas

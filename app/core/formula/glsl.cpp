@@ -11,36 +11,53 @@ namespace normalscope::formulas {
 
 namespace {
 
+// Of either kind: its names, how near to 0 and how large a number may be, and for doubles what double.glsl defines.
+constexpr std::string_view kSingle =
+    "#define REAL float\n#define REAL2 vec2\n#define REAL3 vec3\n#define DOUBLE false\n"
+    "#define TINY 1e-30\n#define ROOT_OF_TINY 1e-15\n#define HUGE 1e30\n#define MOST_EXPONENT 69.0\n"
+    "#define LARGEST 3e37\n";
+constexpr std::string_view kDouble =
+    "#define DOUBLES\n#define REAL double\n#define REAL2 dvec2\n#define REAL3 dvec3\n#define DOUBLE true\n"
+    "#define TINY 1e-290lf\n#define ROOT_OF_TINY 1e-145lf\n#define HUGE 1e290lf\n#define MOST_EXPONENT 660.0lf\n"
+    "#define LARGEST 1e300lf\n"
+    "double exp(double x);\ndouble log(double x);\ndouble pow(double b, double e);\ndouble sin(double x);\n"
+    "double cos(double x);\ndouble tan(double x);\ndouble asin(double x);\ndouble acos(double x);\n"
+    "double atan(double x);\ndouble atan(double y, double x);\n";
+
 // What GLSL has not, or leaves undefined outside a domain: there these give something finite, and is_defined says no.
 struct Helper {
     std::string_view name, source;
 };
 constexpr std::array kHelpers{
-    Helper{"nonzero", "float nonzero(float v) { return abs(v) > 1e-30 ? v : v < 0.0 ? -1e-30 : 1e-30; }\n"},
-    Helper{"safe_pow", "float safe_pow(float b, float e) { return min(pow(max(b, 1e-30), e), 1e30); }\n"},
-    Helper{"odd_pow", "float odd_pow(float b, float e) { return sign(b) * min(pow(max(abs(b), 1e-30), e), 1e30); }\n"},
+    Helper{"nonzero", "REAL nonzero(REAL v) { return abs(v) > TINY ? v : v < 0.0 ? -TINY : TINY; }\n"},
+    Helper{"safe_pow", "REAL safe_pow(REAL b, REAL e) { return min(pow(max(b, TINY), e), HUGE); }\n"},
+    Helper{"odd_pow", "REAL odd_pow(REAL b, REAL e) { return sign(b) * min(pow(max(abs(b), TINY), e), HUGE); }\n"},
     Helper{"any_pow",
-           "float any_pow(float b, float e) {\n"
-           "    float s = min(pow(max(abs(b), 1e-30), e), 1e30);\n"
+           "REAL any_pow(REAL b, REAL e) {\n"
+           "    REAL s = min(pow(max(abs(b), TINY), e), HUGE);\n"
            "    return b < 0.0 && mod(e, 2.0) == 1.0 ? -s : s;\n"
            "}\n"},
-    Helper{"angle_of", "float angle_of(float y, float x) { return x == 0.0 && y == 0.0 ? 0.0 : atan(y, x); }\n"},
-    Helper{"safe_exp", "float safe_exp(float v) { return exp(min(v, 69.0)); }\n"},
+    Helper{"angle_of", "REAL angle_of(REAL y, REAL x) { return x == 0.0 && y == 0.0 ? REAL(0.0) : atan(y, x); }\n"},
+    Helper{"safe_exp", "REAL safe_exp(REAL v) { return exp(min(v, MOST_EXPONENT)); }\n"},
 };
 
 constexpr double kMostFactors = 16.0;  // longer powers are left to pow()
 
-std::string literal(double v) {
-    v = std::clamp(std::isnan(v) ? 0.0 : v, -3e38, 3e38);
-    char text[32];
-    const std::string s(text, std::to_chars(text, text + sizeof text, static_cast<float>(v)).ptr);
-    const std::string real = s.find_first_of(".e") == std::string::npos ? s + ".0" : s;
+std::string literal(double v, Precision precision) {
+    const bool twice = precision == Precision::Double;
+    const double most = twice ? 1e300 : 3e38;
+    v = std::clamp(std::isnan(v) ? 0.0 : v, -most, most);
+    char text[40];
+    char* const end = twice ? std::to_chars(text, text + sizeof text, v).ptr
+                            : std::to_chars(text, text + sizeof text, static_cast<float>(v)).ptr;
+    const std::string s(text, end);
+    const std::string real = (s.find_first_of(".e") == std::string::npos ? s + ".0" : s) + (twice ? "lf" : "");
     return v < 0.0 ? "(" + real + ")" : real;
 }
 
 class Generator {
 public:
-    explicit Generator(const Program& program) : program_(program) {}
+    Generator(const Program& program, Precision precision) : program_(program), precision_(precision) {}
 
     Glsl run() {
         Glsl result;
@@ -59,17 +76,20 @@ public:
         const std::string gradient_body = body_;
         for (const Helper& h : kHelpers)
             if ((gradient_body + gradient + value).find(h.name) != std::string::npos) result.source += h.source;
-        result.source = uniforms_ + result.source + "float f(vec3 p) {\n" + forward_body + "    return " + value +
-                        ";\n}\n" + "vec3 gradient(vec3 p) {\n" + gradient_body + "    return " + gradient + ";\n}\n" +
-                        "bool is_defined(vec3 p) {\n" + (defined.empty() ? "" : forward_body) + "    return " +
+        result.source = std::string(precision_ == Precision::Double ? kDouble : kSingle) + uniforms_ + result.source +
+                        "REAL f(REAL3 p) {\n" + forward_body + "    return " + value + ";\n}\n" +
+                        "REAL3 gradient(REAL3 p) {\n" + gradient_body + "    return " + gradient + ";\n}\n" +
+                        "bool is_defined(REAL3 p) {\n" + (defined.empty() ? "" : forward_body) + "    return " +
                         (defined.empty() ? "true" : defined) + ";\n}\n";
         return result;
     }
 
 private:
+    std::string number(double v) const { return literal(v, precision_); }
+
     std::string temporary(const std::string& expression) {
         const std::string name = "t" + std::to_string(temporaries_++);
-        body_ += "    float " + name + " = " + expression + ";\n";
+        body_ += "    REAL " + name + " = " + expression + ";\n";
         return name;
     }
 
@@ -80,7 +100,7 @@ private:
         if (n == 0.0) return "1.0";
         if (n > kMostFactors)
             return (parity == Parity::Odd ? "odd_pow(" : "safe_pow(abs(") + base +
-                   (parity == Parity::Odd ? ", " : "), ") + literal(n) + ")";
+                   (parity == Parity::Odd ? ", " : "), ") + number(n) + ")";
         std::string product;
         for (auto bits = static_cast<unsigned>(n); bits != 0; bits >>= 1) {
             if (bits & 1) product = product.empty() ? base : product + " * " + base;
@@ -93,8 +113,8 @@ private:
     }
 
     std::string real_power(const std::string& base, double exponent, Parity parity) {
-        if (parity == Parity::Even) return "safe_pow(abs(" + base + "), " + literal(exponent) + ")";
-        return (parity == Parity::Odd ? "odd_pow(" : "safe_pow(") + base + ", " + literal(exponent) + ")";
+        if (parity == Parity::Even) return "safe_pow(abs(" + base + "), " + number(exponent) + ")";
+        return (parity == Parity::Odd ? "odd_pow(" : "safe_pow(") + base + ", " + number(exponent) + ")";
     }
 
     std::string forward(std::uint32_t k) {
@@ -102,7 +122,7 @@ private:
         const std::string a = operands(i.code) > 0 ? names_[i.a] : "", b = operands(i.code) > 1 ? names_[i.b] : "";
         const auto call = [&](const char* name) { return temporary(std::string(name) + "(" + a + ")"); };
         switch (i.code) {
-            case Code::Constant: return literal(i.constant);
+            case Code::Constant: return number(i.constant);
             case Code::Parameter: {
                 const std::string name =
                     std::string("formula_") + kParameterNames[static_cast<std::size_t>(i.constant)];
@@ -120,7 +140,7 @@ private:
             case Code::Power: return temporary("any_pow(" + a + ", " + b + ")");
             case Code::Exp: return call("safe_exp");
             case Code::Sqrt: return temporary("sqrt(max(" + a + ", 0.0))");
-            case Code::Log: return temporary("log(max(" + a + ", 1e-30))");
+            case Code::Log: return temporary("log(max(" + a + ", TINY))");
             case Code::Sin: return call("sin");
             case Code::Cos: return call("cos");
             case Code::Tan: return call("tan");
@@ -185,7 +205,7 @@ private:
             else
                 hand_on(i, names_[k], w);
         }
-        return "vec3(" + gradient[0] + ", " + gradient[1] + ", " + gradient[2] + ")";
+        return "REAL3(" + gradient[0] + ", " + gradient[1] + ", " + gradient[2] + ")";
     }
 
     void hand_on(const Instruction& i, const std::string& value, const std::string& w) {
@@ -219,21 +239,21 @@ private:
                 const bool whole = i.code == Code::IntegerPower;
                 const std::string power = whole ? integer_power(a, i.constant - 1.0, flipped(i.parity))
                                                 : real_power(a, i.constant - 1.0, flipped(i.parity));
-                contribute(i.a, times(w, literal(i.constant) + " * " + power));
+                contribute(i.a, times(w, number(i.constant) + " * " + power));
                 break;
             }
             case Code::Power:
                 if (program_[i.a].varies) contribute(i.a, times(w, b + " * any_pow(" + a + ", " + b + " - 1.0)"));
-                if (program_[i.b].varies) contribute(i.b, times(w, value + " * log(max(" + a + ", 1e-30))"));
+                if (program_[i.b].varies) contribute(i.b, times(w, value + " * log(max(" + a + ", TINY))"));
                 break;
             case Code::Exp: contribute(i.a, times(w, value)); break;
-            case Code::Sqrt: contribute(i.a, w + " * 0.5 / max(" + value + ", 1e-15)"); break;
-            case Code::Log: contribute(i.a, w + " / max(" + a + ", 1e-30)"); break;
+            case Code::Sqrt: contribute(i.a, w + " * 0.5 / max(" + value + ", ROOT_OF_TINY)"); break;
+            case Code::Log: contribute(i.a, w + " / max(" + a + ", TINY)"); break;
             case Code::Sin: contribute(i.a, times(w, "cos(" + a + ")")); break;
             case Code::Cos: contribute(i.a, minus(times(w, "sin(" + a + ")"))); break;
             case Code::Tan: contribute(i.a, times(w, "(1.0 + " + value + " * " + value + ")")); break;
-            case Code::Asin: contribute(i.a, w + " / sqrt(max(1.0 - " + a + " * " + a + ", 1e-30))"); break;
-            case Code::Acos: contribute(i.a, minus(w + " / sqrt(max(1.0 - " + a + " * " + a + ", 1e-30))")); break;
+            case Code::Asin: contribute(i.a, w + " / sqrt(max(1.0 - " + a + " * " + a + ", TINY))"); break;
+            case Code::Acos: contribute(i.a, minus(w + " / sqrt(max(1.0 - " + a + " * " + a + ", TINY))")); break;
             case Code::Atan: contribute(i.a, w + " / (1.0 + " + a + " * " + a + ")"); break;
             case Code::Abs: contribute(i.a, times(w, "sign(" + a + ")")); break;
             case Code::Min:
@@ -244,7 +264,7 @@ private:
                 break;
             }
             case Code::Atan2: {
-                const std::string part = temporary(w + " / max(" + a + " * " + a + " + " + b + " * " + b + ", 1e-30)");
+                const std::string part = temporary(w + " / max(" + a + " * " + a + " + " + b + " * " + b + ", TINY)");
                 contribute(i.a, part + " * " + b);
                 contribute(i.b, minus(part + " * " + a));
                 break;
@@ -258,6 +278,7 @@ private:
     }
 
     const Program& program_;
+    Precision precision_;
     std::string uniforms_, body_;
     int temporaries_ = 0;
     std::vector<std::string> names_, adjoints_;
@@ -265,6 +286,6 @@ private:
 
 }  // namespace
 
-Glsl to_glsl(const Program& program) { return Generator(program).run(); }
+Glsl to_glsl(const Program& program, Precision precision) { return Generator(program, precision).run(); }
 
 }  // namespace normalscope::formulas

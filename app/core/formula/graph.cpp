@@ -16,7 +16,7 @@ namespace {
 // Ten thousand characters with their derivatives stay well below; no picture is worth more memory.
 constexpr std::size_t kMostArgs = 1 << 25;
 
-std::size_t mix(std::size_t hash, std::uint64_t value) {  // splitmix64's steps
+std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {  // splitmix64's steps
     hash = (hash ^ value) * 0xBF58476D1CE4E5B9u;
     return hash ^ hash >> 31;
 }
@@ -62,12 +62,12 @@ Id Graph::build(Op op, std::span<const Id> args) {
 
 // The node of this content; a new one only where there is none yet.
 Id Graph::intern(Node node, std::span<const Id> args) {
-    std::size_t hash = mix(static_cast<std::size_t>(node.op), node.index);
+    std::uint64_t hash = mix(static_cast<std::uint64_t>(node.op), node.index);
     if (node.op == Op::Number) hash = mix(hash, std::bit_cast<std::uint64_t>(node.value));
     for (const Id a : args) hash = mix(hash, a);
 
     if (2 * nodes_.size() >= table_.size()) grow_table();
-    std::size_t slot = hash & (table_.size() - 1);
+    auto slot = static_cast<std::size_t>(hash & (table_.size() - 1));
     for (; table_[slot] != kNone; slot = (slot + 1) & (table_.size() - 1)) {
         const Id id = table_[slot];
         const Node& other = nodes_[id];
@@ -90,7 +90,7 @@ Id Graph::intern(Node node, std::span<const Id> args) {
 void Graph::grow_table() {
     table_.assign(std::bit_ceil(4 * nodes_.size() + 64), kNone);
     for (Id id = 0; id < size(); ++id) {
-        std::size_t slot = hashes_[id] & (table_.size() - 1);
+        auto slot = static_cast<std::size_t>(hashes_[id] & (table_.size() - 1));
         while (table_[slot] != kNone) slot = (slot + 1) & (table_.size() - 1);
         table_[slot] = id;
     }

@@ -123,7 +123,7 @@ private:
 
     std::vector<Node> nodes_;
     std::vector<Id> args_;
-    std::vector<std::size_t> hashes_;
+    std::vector<std::uint64_t> hashes_;
     std::vector<Id> table_;  // open addressing; a power of two
 };
 

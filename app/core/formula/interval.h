@@ -34,9 +34,13 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 inline Interval::Defined least(const Interval& a, const Interval& b) { return std::min(a.defined, b.defined); }
 
-/// Wider by `ulps` units in the last place, and by the smallest doubles; NaN, as ∞ − ∞ gives it, becomes infinite.
+/// Wider by `ulps` units in the last place, and by the smallest doubles; NaN, as ∞ − ∞ gives it, becomes infinite. What has
+/// overflowed is large, not unknown.
 inline Interval outward(double low, double high, Interval::Defined defined, double ulps = 1.0) {
     constexpr double kUlp = std::numeric_limits<double>::epsilon(), kTiny = std::numeric_limits<double>::denorm_min();
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    low = std::min(low, kLargest);
+    high = std::max(high, -kLargest);
     low = low - (ulps * kUlp * std::abs(low) + ulps * kTiny);
     high = high + (ulps * kUlp * std::abs(high) + ulps * kTiny);
     return {std::isnan(low) ? -kInfinity : low, std::isnan(high) ? kInfinity : high, defined};

@@ -1,5 +1,7 @@
 #include "core/formula/number.h"
 
+#include "core/base/decimal.h"
+
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -90,9 +92,7 @@ Number Number::from_decimal(std::string_view text) {
     const Decimal d = split(text);
     if (const auto n = exactly(d)) return *n;
     double value = 0.0;
-    if (std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc::result_out_of_range)
-        value =
-            static_cast<std::int64_t>(d.digits.size()) + d.exponent > 0 ? std::numeric_limits<double>::infinity() : 0.0;
+    read_decimal(text, value);
     return from_double(value);
 }
 

@@ -1,10 +1,11 @@
 #include "core/formula/ray_samples.h"
 
+#include "core/base/decimal.h"
+
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace normalscope::formulas {
 
@@ -46,20 +47,18 @@ Matrix inverted(Matrix a) {
     return inverse;
 }
 
-std::string literal(double v) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.9e", v);
-    return text;
+std::string literal(double v, Precision precision) {
+    return precision == Precision::Double ? with_exponent(v, 17) + "lf" : with_exponent(v, 9);
 }
 
 // Σ row[j] s[j], without the terms that are 0.
-std::string dot(const std::vector<double>& row) {
+std::string dot(const std::vector<double>& row, Precision precision) {
     std::string sum;
     for (std::size_t j = 0; j < row.size(); ++j) {
         if (std::abs(row[j]) < 1e-13) continue;
         const std::string s = "s[" + std::to_string(j) + "]";
         sum += sum.empty() ? "" : " + ";
-        sum += row[j] == 1.0 ? s : literal(row[j]) + " * " + s;
+        sum += row[j] == 1.0 ? s : literal(row[j], precision) + " * " + s;
     }
     return sum.empty() ? "0.0" : sum;
 }
@@ -100,24 +99,24 @@ Matrix last_chebyshev_coefficients(int degree) {
     return rows;
 }
 
-std::string ray_samples_glsl(int degree) {
+std::string ray_samples_glsl(int degree, Precision precision) {
     const std::string size = std::to_string(degree + 1);
-    std::string text = "#define DEGREE " + std::to_string(degree) + "\nconst float POINTS[" + size + "] = float[](";
-    for (const double x : chebyshev_points(degree)) text += (x == 0.0 ? "" : ", ") + literal(x);
-    text += ");\nvoid to_bernstein(float s[" + size + "], out float b[" + size + "]) {\n";
+    std::string text = "#define DEGREE " + std::to_string(degree) + "\nconst REAL POINTS[" + size + "] = REAL[](";
+    for (const double x : chebyshev_points(degree)) text += (x == 0.0 ? "" : ", ") + literal(x, precision);
+    text += ");\nvoid to_bernstein(REAL s[" + size + "], out REAL b[" + size + "]) {\n";
     double largest = 0.0;
     const Matrix rows = bernstein_from_samples(degree);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        text += "    b[" + std::to_string(i) + "] = " + dot(rows[i]) + ";\n";
+        text += "    b[" + std::to_string(i) + "] = " + dot(rows[i], precision) + ";\n";
         double sum = 0.0;
         for (const double v : rows[i]) sum += std::abs(v);
         largest = std::max(largest, sum);
     }
-    text += "}\nfloat last_terms(float s[" + size + "]) {\n    return ";
+    text += "}\nREAL last_terms(REAL s[" + size + "]) {\n    return ";
     const Matrix last = last_chebyshev_coefficients(degree);
-    text += "abs(" + dot(last[0]) + ") + abs(" + dot(last[1]) + ");\n}\n";
-    constexpr double kFloatEpsilon = 6e-8;
-    return text + "const float ROUNDING = " + literal(kFloatEpsilon * largest) + ";\n";
+    text += "abs(" + dot(last[0], precision) + ") + abs(" + dot(last[1], precision) + ");\n}\n";
+    const double epsilon = precision == Precision::Double ? 1.2e-16 : 6e-8;
+    return text + "const REAL ROUNDING = " + literal(epsilon * largest, precision) + ";\n";
 }
 
 }  // namespace normalscope::formulas

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/formula/glsl.h"
+
 #include <string>
 #include <vector>
 
@@ -17,10 +19,10 @@ std::vector<std::vector<double>> bernstein_from_samples(int degree);
 /// Row 0 and 1 give its last and last but one Chebyshev coefficient: how much the interpolant's error is.
 std::vector<std::vector<double>> last_chebyshev_coefficients(int degree);
 
-/// In GLSL: `DEGREE`, the points as `float point(int i)`, and
-///     void to_bernstein(float s[DEGREE + 1], out float b[DEGREE + 1])
-///     float last_terms(float s[DEGREE + 1])     the sizes of the last two Chebyshev coefficients, added up
-///     const float ROUNDING                       of the largest |s|: how far rounding may move a coefficient
-std::string ray_samples_glsl(int degree);
+/// In GLSL, with REAL for float or double: `DEGREE`, the points as `float point(int i)`, and
+///     void to_bernstein(REAL s[DEGREE + 1], out REAL b[DEGREE + 1])
+///     REAL last_terms(REAL s[DEGREE + 1])     the sizes of the last two Chebyshev coefficients, added up
+///     const REAL ROUNDING                        of the largest |s|: how far rounding may move a coefficient
+std::string ray_samples_glsl(int degree, Precision precision = Precision::Single);
 
 }  // namespace normalscope::formulas

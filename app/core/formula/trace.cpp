@@ -1,5 +1,6 @@
 #include "core/formula/roots.h"
 #include "core/formula/steps.h"
+#include "core/formula/zero_crossing.h"
 
 #include <glm/geometric.hpp>
 
@@ -131,13 +132,19 @@ private:
         if (before * after < 0.0) {
             t = refined([&](double s) { return at(s); }, low, high);
             const Interval v = bounds(low, high).value;
-            // A pole changes sign as well.
-            if (v.defined != Interval::Defined::Everywhere || !std::isfinite(v.width())) return;
+            // A pole changes sign as well, and so does a jump.
+            if (v.defined != Interval::Defined::Everywhere || !std::isfinite(v.width())) {
+                const auto zero = zero_between(program_, o_ + low * d_, o_ + high * d_);
+                if (!zero) return;
+                t = low + *zero * (high - low);
+            }
         } else {
             if (slope_before * slope_after < 0.0) t = least(low, high, slope_before);
             const Interval v = bounds(t, t).value;
             const double slack = 4.0 * v.width();
-            if (v.defined == Interval::Defined::Nowhere || v.low - slack > 0.0 || v.high + slack < 0.0) return;
+            if (v.defined == Interval::Defined::Nowhere || !std::isfinite(slack) || v.low - slack > 0.0 ||
+                v.high + slack < 0.0)
+                return;
         }
         if (roots_.empty() || t - roots_.back().t > 1e-12 * whole_) roots_.push_back({t, before * after > 0.0});
     }

@@ -1,11 +1,13 @@
 #include "core/image/image_difference.h"
 
+#include "core/base/error.h"
 #include "core/image/perceived_difference.h"
 
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <cstdlib>
+#include <string>
 
 namespace normalscope {
 
@@ -65,6 +67,11 @@ Color verdict(const Image& actual, const Image& expected, glm::ivec2 p, const To
 
 ImageDifference image_difference(const Image& actual, const Image& expected, const Tolerance& tolerance) {
     ImageDifference result;
+    result.looked_at = std::int64_t{expected.size.x} * expected.size.y <= kMostLookedAt;
+    if (tolerance.perceived && !result.looked_at)
+        throw InputError("--perceptual: " + std::to_string(expected.size.x) + "x" + std::to_string(expected.size.y) +
+                         " pixels are too many, at most " + std::to_string(kMostLookedAt) +
+                         " are judged as they are seen; compare without it, or smaller pictures");
     std::array<std::int64_t, 4> sums{};
     for (int y = 0; y < expected.size.y; ++y)
         for (int x = 0; x < expected.size.x; ++x) {
@@ -75,7 +82,7 @@ ImageDifference image_difference(const Image& actual, const Image& expected, con
             }
             const int largest = std::ranges::max(off);
             if (largest > tolerance.channel) ++result.pixels_beyond;
-            if (largest > 0) {
+            if (largest > 0 && result.looked_at) {
                 const double seen = perceived_difference(actual, expected, {x, y});
                 const bool edge = seen > tolerance.channel && smooths_an_edge(actual, expected, {x, y});
                 if (edge)
@@ -94,6 +101,11 @@ ImageDifference image_difference(const Image& actual, const Image& expected, con
     result.share_beyond = static_cast<double>(result.pixels_beyond) / pixels;
     result.share_seen = static_cast<double>(result.seen_beyond) / pixels;
     return result;
+}
+
+bool too_large_to_show(glm::ivec2 actual_size, glm::ivec2 expected_size) {
+    const glm::ivec2 size = glm::max(actual_size, expected_size);
+    return (3 * std::int64_t{size.x} + 2 * kGapWidth) * size.y > kMostPixels;
 }
 
 Image difference_picture(const Image& actual, const Image& expected, const Tolerance& tolerance) {

@@ -23,7 +23,9 @@ struct ImageDifference {
     double share_beyond = 0.0;       ///< of all pixels
     glm::ivec2 worst{0};             ///< the pixel with the largest difference in any channel, from the top left
     int worst_by = 0;
-    /// The same as it is seen (core/perceived_difference.h), without those that only smooth an edge.
+    /// The same as it is seen (core/perceived_difference.h), without those that only smooth an edge; not looked at in very
+    /// large pictures, where that would take half a minute and is not what decides.
+    bool looked_at = true;
     std::int64_t seen_beyond = 0;
     double share_seen = 0.0;
     double most_seen = 0.0;
@@ -32,8 +34,14 @@ struct ImageDifference {
     bool within(const Tolerance& t) const { return (t.perceived ? share_seen : share_beyond) <= t.share; }
 };
 
-/// The pictures must be of one size.
+/// The most pixels of which it is judged how they are seen.
+inline constexpr std::int64_t kMostLookedAt = std::int64_t{1} << 25;
+
+/// The pictures must be of one size. Throws InputError where so many pixels cannot be judged as the tolerance wants.
 ImageDifference image_difference(const Image& actual, const Image& expected, const Tolerance& tolerance);
+
+/// Whether difference_picture would be a picture too large to be read again.
+bool too_large_to_show(glm::ivec2 actual_size, glm::ivec2 expected_size);
 
 /// Actual, expected and where they differ, side by side on white: red beyond the tolerance, yellow within it or forgiven,
 /// and a frame about the worst spot. Where the sizes differ, what only one of them covers counts as different.

@@ -5,8 +5,12 @@
 
 #include <png.h>
 
+#include <array>
 #include <csetjmp>
 #include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <memory>
 
 namespace normalscope {
 
@@ -78,40 +82,92 @@ std::string png_bytes(const Image& image) {
 
 void write_png(const std::filesystem::path& file, const Image& image) { write_file(file, png_bytes(image)); }
 
+namespace {
+
+[[noreturn]] void fail(const std::string& name, const std::string& what) { throw InputError(name + ": " + what); }
+
+/// libpng's simplified interface: it turns every kind of PNG into one format, and longjmps nowhere.
+struct Decoder {
+    png_image png{.opaque = nullptr, .version = PNG_IMAGE_VERSION};
+
+    Decoder() = default;
+    ~Decoder() { png_image_free(&png); }
+    Decoder(const Decoder&) = delete;
+    Decoder& operator=(const Decoder&) = delete;
+
+    /// Once it has begun to read from so many bytes.
+    Image finish(std::uintmax_t bytes, const std::string& name) {
+        // Judged before anything is allocated for the pixels: a small file can claim any size.
+        const std::int64_t pixels = std::int64_t{png.width} * png.height;
+        const std::string size = std::to_string(png.width) + "x" + std::to_string(png.height);
+        if (png.width > kLongestSide || png.height > kLongestSide || pixels > kMostPixels)
+            fail(name, "is a picture of " + size + " pixels; at most " + std::to_string(kLongestSide) + " a side and " +
+                           std::to_string(kMostPixels) + " in all are read");
+        if (static_cast<std::uintmax_t>(pixels / 8 / kBestDeflateRatio) > bytes)
+            fail(name,
+                 "is a damaged PNG picture: its " + std::to_string(bytes) + " bytes cannot hold " + size + " pixels");
+
+        png.format = PNG_FORMAT_RGBA;
+        png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // 16 bits without a gamma: as pictures are, not linear
+        Image image = make_image({static_cast<int>(png.width), static_cast<int>(png.height)});
+        if (!png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr)) damaged(name);
+        return image;
+    }
+    [[noreturn]] void damaged(const std::string& name) const {
+        fail(name, "is a damaged PNG picture: " + std::string(png.message));
+    }
+};
+
+constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
+
+// A file of many megabytes is not held beside its pixels.
+Image decoded_from(std::FILE* file, std::uintmax_t bytes, const std::string& name) {
+    Decoder decoder;
+    if (!png_image_begin_read_from_stdio(&decoder.png, file)) decoder.damaged(name);
+    return decoder.finish(bytes, name);
+}
+
+}  // namespace
+
 Image read_png(const std::filesystem::path& file) {
+    constexpr std::uintmax_t kLarge = std::uintmax_t{1} << 24;
+    std::error_code error;
+    const std::uintmax_t bytes =
+        std::filesystem::is_regular_file(file, error) ? std::filesystem::file_size(file, error) : 0;
+    if (!error && bytes > kLarge && bytes <= kLargestPngFile && png_size(file)) {
+        const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
+        if (stream) return decoded_from(stream.get(), bytes, file.string());
+    }
     return decoded_png(read_file(file, kLargestPngFile), file.string());
 }
 
 Image decoded_png(std::string_view bytes, const std::string& name) {
-    const auto fail = [&](const std::string& what) { throw InputError(name + ": " + what); };
-    if (bytes.empty()) fail("is empty, so it is no PNG picture");
-    if (!bytes.starts_with("\x89PNG\r\n\x1a\n")) fail("is no PNG picture");
+    if (bytes.empty()) fail(name, "is empty, so it is no PNG picture");
+    if (!bytes.starts_with(kSignature)) fail(name, "is no PNG picture");
+    Decoder decoder;
+    if (!png_image_begin_read_from_memory(&decoder.png, bytes.data(), bytes.size())) decoder.damaged(name);
+    return decoder.finish(bytes.size(), name);
+}
 
-    // libpng's simplified interface: it turns every kind of PNG into one format, and longjmps nowhere.
-    png_image png{};
-    png.version = PNG_IMAGE_VERSION;
-    struct Free {
-        png_image& png;
-        ~Free() { png_image_free(&png); }
-    } const free_at_end{png};
-    if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()))
-        fail("is a damaged PNG picture: " + std::string(png.message));
-    // Judged before anything is allocated for the pixels: a small file can claim any size.
-    const std::int64_t pixels = std::int64_t{png.width} * png.height;
-    const std::string size = std::to_string(png.width) + "x" + std::to_string(png.height);
-    if (png.width > kLongestSide || png.height > kLongestSide || pixels > kMostPixels)
-        fail("is a picture of " + size + " pixels; at most " + std::to_string(kLongestSide) + " a side and " +
-             std::to_string(kMostPixels) + " in all are read");
-    if (pixels / 8 / kBestDeflateRatio > static_cast<std::int64_t>(bytes.size()))
-        fail("is a damaged PNG picture: its " + std::to_string(bytes.size()) + " bytes cannot hold " + size +
-             " pixels");
-
-    png.format = PNG_FORMAT_RGBA;
-    png.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // 16 bits without a gamma: as pictures are, not linear
-    Image image = make_image({static_cast<int>(png.width), static_cast<int>(png.height)});
-    if (!png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr))
-        fail("is a damaged PNG picture: " + std::string(png.message));
-    return image;
+std::optional<glm::ivec2> png_size(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) return std::nullopt;
+    std::array<char, 24> head{};  // the signature, a length, "IHDR", the width and the height
+    std::ifstream in(file, std::ios::binary);
+    in.read(head.data(), head.size());
+    const std::string_view bytes(head.data(), static_cast<std::size_t>(in.gcount()));
+    if (bytes.size() < head.size() || !bytes.starts_with(kSignature) || bytes.substr(12, 4) != "IHDR")
+        return std::nullopt;
+    const auto number = [&](std::size_t at) {
+        std::uint32_t value = 0;
+        for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+        return value;
+    };
+    const std::uint32_t width = number(16), height = number(20);
+    if (width == 0 || height == 0 || width > kLongestSide || height > kLongestSide ||
+        std::int64_t{width} * height > kMostPixels)
+        return std::nullopt;
+    return glm::ivec2(static_cast<int>(width), static_cast<int>(height));
 }
 
 }  // namespace normalscope

@@ -3,6 +3,7 @@
 #include "core/image/image.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,5 +21,8 @@ void write_png(const std::filesystem::path& file, const Image& image);
 Image read_png(const std::filesystem::path& file);
 /// The same of a file's bytes; `name` names them in errors.
 Image decoded_png(std::string_view bytes, const std::string& name);
+/// What a file's head says, for whoever needs no pixels; empty where it is no plain file, or has no head of a
+/// picture that is read.
+std::optional<glm::ivec2> png_size(const std::filesystem::path& file);
 
 }  // namespace normalscope

@@ -1,6 +1,8 @@
 #include "core/lessons/exercise.h"
 
+#include "core/base/decimal.h"
 #include "core/base/error.h"
+#include "core/lessons/posing.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -9,62 +11,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace normalscope {
 
 namespace {
 
-/// Numbers from a seed, the same on every machine (SplitMix64: Steele, Lea and Flood 2014); the standard's distributions
-/// are not.
-class Dice {
-public:
-    explicit Dice(std::uint64_t seed) : state_(seed) {}
-    std::uint64_t next() {
-        std::uint64_t z = state_ += 0x9E3779B97F4A7C15ull;
-        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
-        z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
-        return z ^ (z >> 31);
-    }
-    int below(int n) { return static_cast<int>(next() % static_cast<std::uint64_t>(n)); }
-    double uniform(double low, double high) {
-        return low + (high - low) * static_cast<double>(next() >> 11) * 0x1.0p-53;
-    }
-    template <class T, std::size_t N>
-    T one_of(const std::array<T, N>& all) {
-        return all[static_cast<std::size_t>(below(static_cast<int>(N)))];
-    }
-
-private:
-    std::uint64_t state_;
-};
-
 // What earns all points, and from where on there are none: as far off as the naive rule, within these bounds.
 constexpr double kRightWithin = 3.0, kClearlyOff = 15.0, kNoneFrom = 45.0;
 
-struct Factor {
-    double value;
-    const char* text;
-    const char* inverse;
-};
-constexpr std::array<Factor, 5> kFactors{
-    {{0.5, "½", "2"}, {2.0, "2", "½"}, {0.4, "0.4", "2.5"}, {1.6, "1.6", "0.625"}, {2.5, "2.5", "0.4"}}};
-
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    std::string s = text;
-    if (s.starts_with('-')) s.replace(0, 1, "−");
-    return s;
-}
-
-std::string tenths(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f", value);
-    return text;
-}
-
-std::string diag(const glm::dvec3& d) { return "diag(" + number(d.x) + ", " + number(d.y) + ", " + number(d.z) + ")"; }
+std::string tenths(double value) { return with_decimals(value, 1); }
 
 // A bare object and the point's normal; what the answer would give away is left out.
 Scene bare_scene() {
@@ -90,19 +45,14 @@ void put_on_outline(Exercise& e, Dice& dice) {
     e.at = {e.normal.xyz};
 }
 
-glm::dvec3 toward_camera(const Camera& camera) {
-    const double a = glm::radians(camera.azimuth), e = glm::radians(camera.elevation);
-    return {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
-}
-
 bool faces_camera(const Exercise& e) {
     const auto truth = world_from_object(e.scene)(e.normal);
-    return truth && glm::dot(glm::normalize(truth->xyz), toward_camera(e.scene.camera)) > 0.15;
+    return truth && glm::dot(glm::normalize(truth->xyz), e.scene.camera.toward_eye().vector().xyz) > 0.15;
 }
 
 // Somewhere on the side that faces this camera.
 void put_in_front(Exercise& e, Dice& dice) {
-    const glm::dvec3 back = toward_camera(e.scene.camera);
+    const glm::dvec3 back = e.scene.camera.toward_eye().vector().xyz;
     for (;;) {
         const glm::dvec3 v(dice.uniform(-1, 1), dice.uniform(-1, 1), dice.uniform(-1, 1));
         const double l = glm::length(v);
@@ -124,7 +74,7 @@ void put_on_ellipsoid(Exercise& e, Dice& dice) {
 }
 
 std::string turned(double degrees) {
-    return "turns it by " + number(std::abs(degrees)) + "° " + (degrees > 0 ? "counterclockwise" : "clockwise");
+    return "turns it by " + plain_number(std::abs(degrees)) + "° " + (degrees > 0 ? "counterclockwise" : "clockwise");
 }
 
 void scale_one(Exercise& e, Dice& dice) {
@@ -166,11 +116,11 @@ void scale_and_turn(Exercise& e, Dice& dice) {
 void shear(Exercise& e, Dice& dice) {
     const double s = dice.one_of(std::array{-1.0, -0.8, -0.5, 0.5, 0.8, 1.0});
     e.scene.stack = {Shear{.xy = s}};
-    e.task = "M shears: x grows by " + number(s) + " · y.";
+    e.task = "M shears: x grows by " + plain_number(s) + " · y.";
     e.hints = {"Level tangents stay level; the others lean with the shear.",
-               "The inverse transpose leaves the normal’s x alone, and changes its y by " + number(-s) + " · x."};
-    e.why = "The inverse slides x back by " + number(s) + " · y; transposed, that becomes y − " + number(s) +
-            " · x for the normal.";
+               "The inverse transpose leaves the normal’s x alone, and changes its y by " + plain_number(-s) + " · x."};
+    e.why = "The inverse slides x back by " + plain_number(s) + " · y; transposed, that becomes y − " +
+            plain_number(s) + " · x for the normal.";
 }
 
 void mirror(Exercise& e, Dice& dice) {
@@ -179,7 +129,7 @@ void mirror(Exercise& e, Dice& dice) {
     glm::dvec3 factors(1.0, f.value, 1.0);
     factors[axis] *= -1.0;
     e.scene.stack = {Scale{factors}};
-    e.task = "M₃ = " + diag(factors) + ", a mirror image. Where does the outward normal point?";
+    e.task = "M₃ = " + diagonal(factors) + ", a mirror image. Where does the outward normal point?";
     e.hints = {"Where is the point now? The normal leads out of the object there.",
                "Divide each coordinate by its factor, sign and all."};
     e.why = std::string(
@@ -207,78 +157,6 @@ void anything(Exercise& e, Dice& dice) {
     e.hints = {"Look at the surface about the point, not at M: which way does it face?",
                "The blue tangents go by M. The normal is perpendicular to both."};
 }
-
-// ---- short questions -------------------------------------------------------------------------------------------
-
-Question is_it_rigid(Exercise& e, Dice& dice) {
-    const int kind = dice.below(3);
-    const double degrees = dice.one_of(std::array{20.0, 35.0, 50.0});
-    const Factor f = dice.one_of(kFactors);
-    const std::array<glm::dvec3, 3> factors{{glm::dvec3(1.0), glm::dvec3(f.value), glm::dvec3(1.0, f.value, 1.0)}};
-    const std::array<std::string, 3> does{"turns and moves the object",
-                                          std::string("scales it by ") + f.text + " along every axis, then turns it",
-                                          std::string("multiplies y by ") + f.text + ", then turns the object"};
-    e.scene.surface = ShapeSurface{.shape = Shape::Cube};
-    e.scene.stack = {Rotate{{0, 0, 1}, degrees}, Translate{{0.4, 0.1, 0}}};
-    if (kind > 0) e.scene.stack = {Scale{factors[static_cast<std::size_t>(kind)]}, Rotate{{0, 0, 1}, degrees}};
-    e.task = "M " + does[static_cast<std::size_t>(kind)] + ".";
-    e.why = "The naive rule keeps the direction exactly where M₃ stretches alike in every direction.";
-    return {"What becomes of a normal that is sent through M₃?",
-            {{"Right as it is: M is rigid", kind == 0,
-              kind == 0 ? "M only turns and moves, so (M₃⁻¹)ᵀ = M₃." : "M scales, so at least the length is wrong."},
-             {"Right direction, wrong length", kind == 1,
-              kind == 1   ? "An even scale keeps all angles: make it a unit vector, and it is right."
-              : kind == 0 ? "Nothing is scaled: the length stays, too."
-                          : "y is scaled, and x is not: the direction turns."},
-             {"Wrong direction", kind == 2,
-              kind == 2 ? "y is scaled, and x is not, so slopes and normals turn opposite ways."
-                        : "All angles stay as they were, also those between normal and tangents."}}};
-}
-
-Question which_matrix(Exercise& e, Dice& dice) {
-    const Factor f = dice.one_of(kFactors), g = dice.one_of(kFactors);
-    const glm::dvec3 d(f.value, g.value == f.value ? 3.0 : g.value, 1.0);
-    e.scene.stack = {Scale{d}};
-    e.task = "M₃ = " + diag(d) + ".";
-    e.why = "The inverse of a diagonal matrix has the inverse entries, and transposing changes nothing there.";
-    Question q{"Which matrix takes the normals to the world?",
-               {{diag(d), false, "That is M₃, the naive rule."},
-                {diag(1.0 / d), true, "Each coordinate by the inverse factor: (M₃⁻¹)ᵀ."},
-                {diag(-d), false, "A sign turns the normal round. It does not undo the scale."},
-                {"The identity", false, "Then the normals would not change, but the tangents do."}}};
-    std::rotate(q.choices.begin(), q.choices.begin() + dice.below(4), q.choices.end());
-    return q;
-}
-
-Question which_rule(Exercise& e, Dice& dice) {
-    const bool flat = dice.below(2) == 0;
-    e.scene.camera.azimuth = 40.0;
-    e.scene.camera.elevation = 15.0;
-    e.scene.stack = {Scale{flat ? glm::dvec3(1, 1, 0) : glm::dvec3(-1, 1.5, 1)}};
-    e.task = flat ? "M scales z by 0: the object is a flat disc." : "M = diag(−1, 1.5, 1) mirrors and stretches.";
-    e.why =
-        flat ? "The cofactor matrix needs no division." : "Gradients go by the inverse transpose, whatever the sign.";
-    return {flat ? "Which rule still gives the disc’s normal?" : "Which rule keeps the normals on the outside?",
-            {{"M n", false,
-              flat ? "It sends the normal of the disc, (0, 0, 1), to zero."
-                   : "It stretches normals along with the points."},
-             {"(M⁻¹)ᵀ n", !flat,
-              flat ? "M has no inverse, so there is none."
-                   : "It carries gradients: what was outside stays outside, also in the mirror."},
-             {"cof(M) n", flat,
-              flat ? "It is made of 2×2 determinants, and exists for every M."
-                   : "It follows the winding, which the mirror turns over: it points inward here."}}};
-}
-
-Question make_question(Exercise& e, Dice& dice) {
-    switch (dice.below(3)) {
-        case 0: return is_it_rigid(e, dice);
-        case 1: return which_matrix(e, dice);
-        default: return which_rule(e, dice);
-    }
-}
-
-// ---- one of a level ---------------------------------------------------------------------------------------------
 
 void pose(Exercise& e, Dice& dice) {
     switch (e.level) {
@@ -356,12 +234,12 @@ Scene revealed(const Exercise& exercise) {
     return scene;
 }
 
-Judgement judge(const Exercise& exercise, const Vector<World>& guess, int hints) {
+Judgement judge(const Exercise& exercise, const Vector<World>& arrow, int hints) {
     const auto off = [&](const glm::dvec3& v, double otherwise) {
         return std::round(10.0 * angle_degrees(v, exercise.truth.xyz).value_or(otherwise)) / 10.0;
     };
     Judgement result;
-    result.degrees_off = off(guess.xyz, 180.0);
+    result.degrees_off = off(arrow.xyz, 180.0);
     result.naive_off = off(exercise.naive.xyz, 0.0);
     result.none_from = std::clamp(result.naive_off, kClearlyOff, kNoneFrom);
     const double share = (result.none_from - result.degrees_off) / (result.none_from - kRightWithin);
@@ -376,7 +254,7 @@ std::string verdict(const Exercise& exercise, const Judgement& judgement) {
 
 std::string points_line(const Judgement& judgement) {
     return std::to_string(judgement.points) + " of " + std::to_string(kMostPoints) + " points: all within " +
-           number(kRightWithin) + "° of the right one, none from " + number(judgement.none_from) + "° on" +
+           plain_number(kRightWithin) + "° of the right one, none from " + plain_number(judgement.none_from) + "° on" +
            (judgement.none_from == judgement.naive_off ? ", where the naive rule’s is" : "") + "; a hint costs 2.";
 }
 

@@ -47,7 +47,7 @@ struct Judgement {
     double none_from = 0.0;  ///< so many degrees off there are no points: no more than the naive rule is
     int points = 0;          ///< kMostPoints within 3°; each hint costs 2
 };
-Judgement judge(const Exercise& exercise, const Vector<World>& guess, int hints);
+Judgement judge(const Exercise& exercise, const Vector<World>& arrow, int hints);
 /// What is said of it, and of its points.
 std::string verdict(const Exercise& exercise, const Judgement& judgement);
 std::string points_line(const Judgement& judgement);

@@ -2,6 +2,9 @@
 
 #include "core/scene/scene.h"
 
+#include <nlohmann/json_fwd.hpp>
+
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -10,16 +13,16 @@
 
 namespace normalscope {
 
-struct Answer {
+struct Choice {
     std::string text;
     bool right = false;
     std::string because;  ///< what is said when it is chosen
-    friend bool operator==(const Answer&, const Answer&) = default;
+    friend bool operator==(const Choice&, const Choice&) = default;
 };
 /// A short question, of whose choices exactly one is right.
 struct Question {
     std::string text;
-    std::vector<Answer> choices;
+    std::vector<Choice> choices;
     friend bool operator==(const Question&, const Question&) = default;
 };
 
@@ -43,9 +46,16 @@ struct Lesson {
 
 inline constexpr std::size_t kMostLessonSteps = 200;
 
-/// A lesson from JSON text; `source` names the text in errors, which tell line and step. Mesh files are found from
-/// `folder`. Throws InputError.
-Lesson parse_lesson(std::string_view text, std::string_view source, const std::string& folder = {});
+/// A lesson's text and where it is from, for errors, which tell line and step.
+struct LessonSource {
+    std::string_view text;
+    std::string name;
+    std::filesystem::path folder;  ///< from which mesh files are found
+};
+/// Throws InputError.
+Lesson parse_lesson(const LessonSource& source);
+/// The same of the text's JSON, where somebody has that already.
+Lesson lesson_of_json(const nlohmann::ordered_json& json, const LessonSource& source);
 
 struct BuiltInLesson {
     std::string name, title, about;
@@ -53,16 +63,8 @@ struct BuiltInLesson {
 /// Those in assets/lessons, in their order.
 const std::vector<BuiltInLesson>& built_in_lessons();
 
-/// A built-in lesson's name, or a JSON file that holds a lesson. Throws InputError where a file cannot be read.
-bool is_lesson(const std::string& file_or_name);
-/// Throws InputError.
-Lesson load_lesson(const std::string& file_or_name);
-
-/// "NAME#3": the third step of a lesson, for whoever wants a scene. Empty for whatever is not of that form.
-struct LessonPlace {
-    std::string lesson;
-    std::size_t step = 0;  ///< counted from 0
-};
-std::optional<LessonPlace> lesson_place(const std::string& file_or_name);
+bool is_built_in_lesson(const std::string& name);
+/// Of the name of one.
+Lesson built_in_lesson(const std::string& name);
 
 }  // namespace normalscope

@@ -1,55 +1,24 @@
 #include "core/lessons/link.h"
 
+#include "core/base/base64.h"
 #include "core/base/error.h"
 #include "core/scene/scene_json.h"
 
 #include <zlib.h>
 #include <nlohmann/json.hpp>
 
-#include <array>
 #include <cctype>
-#include <cstdint>
+#include <optional>
 
 namespace normalscope {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::string_view kScheme = "normalscope:";
-constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 // A scene of 200 matrices is far below; more would be a bomb.
 constexpr std::size_t kLargestScene = std::size_t{1} << 20;
 
-[[noreturn]] void fail(const std::string& what) { throw InputError("link: " + what); }
-
-std::string base64url(std::string_view bytes) {
-    std::string text;
-    std::uint32_t bits = 0;
-    int count = 0;
-    for (const char c : bytes) {
-        bits = bits << 8 | static_cast<unsigned char>(c);
-        for (count += 8; count >= 6; count -= 6) text += kLetters[bits >> (count - 6) & 63];
-    }
-    if (count > 0) text += kLetters[bits << (6 - count) & 63];
-    return text;
-}
-
-std::string from_base64url(std::string_view text) {
-    std::string bytes;
-    std::uint32_t bits = 0;
-    int count = 0;
-    for (const char c : text) {
-        if (std::isspace(static_cast<unsigned char>(c))) continue;  // as mail breaks long lines
-        const auto value = kLetters.find(c);
-        if (value == std::string_view::npos)
-            fail("it holds a character that no link holds; it was changed on its way, so copy it again");
-        bits = bits << 6 | static_cast<std::uint32_t>(value);
-        count += 6;
-        if (count >= 8) bytes += static_cast<char>(bits >> (count -= 8) & 255);
-    }
-    return bytes;
-}
+[[noreturn]] void fail(const std::string& what) { throw InputError("link", what); }
 
 std::string crc_of(std::string_view bytes) {
     const auto crc = crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size()));
@@ -68,7 +37,7 @@ std::string_view trimmed(std::string_view text) {
 }  // namespace
 
 std::string link_of(const Scene& scene) {
-    const std::string json = Json::parse(scene_text(scene)).dump();
+    const std::string json = scene_json(scene).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
     uLongf size = compressBound(static_cast<uLong>(json.size()));
     std::string packed(size, '\0');
     if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size, reinterpret_cast<const Bytef*>(json.data()),
@@ -91,7 +60,9 @@ Scene scene_of_link(std::string_view link) {
     if (version != "1")
         fail("it was made by a newer version of normalscope (its format is " + std::string(version) +
              "; this program reads format 1)");
-    const std::string bytes = from_base64url(link.substr(dot + 1));
+    const std::optional<std::string> decoded = from_base64url(link.substr(dot + 1));  // mail breaks long lines
+    if (!decoded) fail("it holds a character that no link holds; it was changed on its way, so copy it again");
+    const std::string& bytes = *decoded;
     if (bytes.size() < 5 || crc_of(std::string_view(bytes).substr(4)) != bytes.substr(0, 4))
         fail("it is cut off or damaged (its checksum is wrong); copy it again");
     std::string json(kLargestScene, '\0');

@@ -1,19 +1,15 @@
 #include "core/lessons/scene_caption.h"
 
+#include "core/base/decimal.h"
 #include "core/scene/mistakes.h"
 
 #include <cmath>
-#include <cstdio>
 
 namespace normalscope {
 
 namespace {
 
-std::string degrees(double angle) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3f°", angle);
-    return text;
-}
+std::string degrees(double angle) { return with_decimals(angle, 3) + "°"; }
 
 std::string about(const NormalMatrices& m) {
     if (m.rank == 2)
@@ -29,7 +25,11 @@ std::string about(const NormalMatrices& m) {
 SceneSaid said_of(const Scene& scene) {
     const Transform<World, Object> transform = world_from_object(scene);
     const NormalMatrices& m = transform.normal_matrices_by_rule();
-    SceneSaid said{scene.about.empty() ? about(m) : scene.about, {}};
+    const std::string of_m = transform.affine()
+                                 ? about(m)
+                                 : "M is not affine: normals go with their tangent planes, and no 3×3 rule "
+                                   "is right.";
+    SceneSaid said{scene.about.empty() ? of_m : scene.about, {}};
     switch (scene.rule) {
         case Rule::Naive:
             said.equations.push_back("n_naive = " + std::string(normal_formula(Rule::Naive, scene.mistake)));

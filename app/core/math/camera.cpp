@@ -11,10 +11,9 @@ namespace normalscope {
 CameraView::CameraView(const Camera& camera, glm::dvec2 size) : size_(size) {
     const double half_angle = glm::radians(0.5 * Camera::kFieldOfViewDegrees);
     const double distance = Camera::kFramedRadius / std::sin(half_angle) / camera.zoom;
-    const double azimuth = glm::radians(camera.azimuth), elevation = glm::radians(camera.elevation);
-    const glm::dvec3 toward_eye(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
-                                std::cos(azimuth) * std::cos(elevation));
+    const glm::dvec3 toward_eye = camera.toward_eye().vector().xyz;
     // Not lookAt with y up, which fails when looking straight down: the right vector is known from the azimuth alone.
+    const double azimuth = glm::radians(camera.azimuth);
     const glm::dvec3 right(std::cos(azimuth), 0.0, -std::sin(azimuth));
     const glm::dvec3 up = glm::cross(toward_eye, right);
     eye_ = {camera.target.xyz + distance * toward_eye};
@@ -25,10 +24,29 @@ CameraView::CameraView(const Camera& camera, glm::dvec2 size) : size_(size) {
     // The field of view holds across the shorter side, so that a tall picture does not cut the object off.
     const double tangent = std::tan(half_angle);
     pixels_per_tangent_ = 0.5 * std::min(size.x, size.y) / tangent;
-    const double near = 0.02 * distance, far = distance + 60.0;
-    const glm::dvec2 half = 0.5 * size / pixels_per_tangent_ * near;
+    set_depths(0.02 * distance, distance + 60.0);
+}
+
+void CameraView::set_depths(double near, double far) {
+    near_ = near;
+    far_ = far;
+    const glm::dvec2 half = 0.5 * size_ / pixels_per_tangent_ * near;
     clip_from_world_ = glm::frustum(-half.x, half.x, -half.y, half.y, near, far) * view_from_world_;
-    world_from_clip_ = glm::inverse(clip_from_world_);
+}
+
+CameraView CameraView::reaching(double depth) const {
+    constexpr double kMargin = 1.05,
+                     kMostRatio = 5e5;  // far : near; beyond, what lies behind shows through at the far end
+    CameraView result = *this;
+    const double far = kMargin * depth;
+    if (far > far_) result.set_depths(std::max(near_, far / kMostRatio), far);
+    return result;
+}
+
+double CameraView::ray_depth() const {
+    constexpr double kFar = 1e4;  // in near planes' distances
+    if (far_ <= kFar * near_) return 1.0;
+    return (far_ + near_ - 2.0 * far_ / kFar) / (far_ - near_);
 }
 
 // At depth w a frustum has clip z = a w + b, so z / w = a + b / w. With w (1 + share) in place of w that is
@@ -64,7 +82,7 @@ double CameraView::world_per_pixel(Point<World> p) const { return std::abs(pixel
 
 Camera framed(Camera camera, Point<World> centre, double radius) {
     camera.target = centre;
-    camera.zoom = std::clamp(Camera::kFramedRadius / std::max(radius, 1e-6), 1e-3, 1e3);
+    camera.zoom = std::clamp(Camera::kFramedRadius / std::max(radius, 1e-12), Camera::kLeastZoom, Camera::kMostZoom);
     return camera;
 }
 

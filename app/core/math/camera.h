@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/math/space.h"
+#include "core/math/direction.h"
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -18,12 +18,15 @@ struct Ray {
 struct Camera {
     static constexpr double kFramedRadius = 2.6;
     static constexpr double kFieldOfViewDegrees = 30.0;  ///< across the shorter side
+    static constexpr double kLeastZoom = 1e-8, kMostZoom = 1e8;
 
     double azimuth = 30.0;    ///< degrees to the right of looking along −z
     double elevation = 20.0;  ///< degrees above the horizon, −90 to 90
     double zoom = 1.0;
     Point<World> target;
 
+    /// From the target to the eye.
+    Direction<World> toward_eye() const { return {azimuth, elevation}; }
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
@@ -37,6 +40,11 @@ public:
     /// The same with everything further from the eye by this share of its distance, for the depth buffer alone: nothing
     /// moves in the picture.
     glm::dmat4 clip_from_world_behind(double share) const;
+    /// The same view with whatever is as far from the eye as `depth` in it, however far that is.
+    CameraView reaching(double depth) const;
+    /// The depth in clip space at which floats tell the rays through the picture best: that of the far plane, unless it is
+    /// too far from the near one.
+    double ray_depth() const;
     Point<World> eye() const { return eye_; }
     /// Unit vectors to the right of and up in the picture.
     Vector<World> right() const;
@@ -50,11 +58,13 @@ public:
     double world_per_pixel(Point<World> p) const;
 
 private:
+    void set_depths(double near, double far);
+
     glm::dvec2 size_;
+    double near_ = 0.0, far_ = 0.0;
     Point<World> eye_;
     glm::dmat4 view_from_world_{1.0};
     glm::dmat4 clip_from_world_{1.0};
-    glm::dmat4 world_from_clip_{1.0};
     double pixels_per_tangent_ = 1.0;
 };
 

@@ -15,13 +15,6 @@ namespace normalscope {
 
 namespace {
 
-double largest_entry(const glm::dmat3& m) {
-    double largest = 0.0;
-    for (int c = 0; c < 3; ++c)
-        for (int r = 0; r < 3; ++r) largest = std::max(largest, std::abs(m[c][r]));
-    return largest;
-}
-
 bool nearly(const glm::dmat3& a, const glm::dmat3& b, double size) {
     return largest_entry(a - b) <= kClassTolerance * size;
 }
@@ -124,7 +117,10 @@ MapClaims claims(const glm::dmat4& m, int rank_at_most) {
                       : matrices.rank < 3          ? CofactorGives::OnlyOneThatExists
                       : matrices.determinant < 0.0 ? CofactorGives::OppositeDirection
                                                    : CofactorGives::SameDirection;
-    if (!is_affine(m)) result.naive_direction_right = result.naive_length_right = std::nullopt;
+    if (!is_affine(m)) {
+        result.naive_direction_right = result.naive_length_right = std::nullopt;
+        result.worst_degrees = std::nullopt;  // the closed form is about M3 alone
+    }
     return result;
 }
 

@@ -14,13 +14,6 @@ namespace normalscope {
 
 namespace {
 
-double largest_entry(const glm::dmat3& a) {
-    double largest = 0.0;
-    for (int c = 0; c < 3; ++c)
-        for (int r = 0; r < 3; ++r) largest = std::max(largest, std::abs(a[c][r]));
-    return largest;
-}
-
 // Any unit vector perpendicular to the unit vector n (Duff et al., "Building an orthonormal basis, revisited", 2017).
 glm::dvec3 perpendicular(const glm::dvec3& n) {
     const double sign = std::copysign(1.0, n.z);
@@ -55,6 +48,13 @@ double determinant_by(const glm::dmat3& cofactor, const glm::dmat3& m) {
 }
 
 }  // namespace
+
+double largest_entry(const glm::dmat3& a) {
+    double largest = 0.0;
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r) largest = std::max(largest, std::abs(a[c][r]));
+    return largest;
+}
 
 std::string_view name(Rule rule) {
     switch (rule) {

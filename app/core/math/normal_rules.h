@@ -13,6 +13,14 @@ namespace normalscope {
 enum class Rule { Naive, InverseTranspose, Cofactor };
 inline constexpr std::array kRules{Rule::Naive, Rule::InverseTranspose, Rule::Cofactor};
 
+/// One value a rule, by the rule or in the order of kRules.
+template <class T>
+struct ByRule : std::array<T, kRules.size()> {
+    using std::array<T, kRules.size()>::operator[];
+    constexpr T& operator[](Rule rule) { return (*this)[static_cast<std::size_t>(rule)]; }
+    constexpr const T& operator[](Rule rule) const { return (*this)[static_cast<std::size_t>(rule)]; }
+};
+
 /// The rule's name in scenes, options and numbers: "naive", "inverse-transpose", "cofactor".
 std::string_view name(Rule rule);
 /// The rule as mathematics, for labels: "M n", "(M⁻¹)ᵀ n", "cof(M) n".
@@ -50,6 +58,9 @@ struct NormalMatrices {
 /// `rank_at_most`: what is known from elsewhere, as of a product one of whose factors is singular. Rounding may leave
 /// such a product with a tiny third singular value, and its inverse would be noise.
 NormalMatrices normal_matrices(const glm::dmat3& m3, int rank_at_most = 3);
+
+/// The largest of the entries' absolute values.
+double largest_entry(const glm::dmat3& m);
 
 /// The angle between two directions in degrees, 0 to 180, accurate at both ends; empty if either is zero.
 std::optional<double> angle_degrees(const glm::dvec3& a, const glm::dvec3& b);

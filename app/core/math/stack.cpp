@@ -46,7 +46,7 @@ glm::dmat4 matrix(const StackEntry& entry) {
                           [](const Shear& s) {  // columns: where x, y and z go
                               return glm::dmat4(glm::dmat3(1.0, s.yx, s.zx, s.xy, 1.0, s.zy, s.xz, s.yz, 1.0));
                           },
-                          [](const Matrix& m) { return m.matrix; },
+                          [](const Matrix& m) { return with_unit_w(m.matrix); },
                       },
                       entry);
 }
@@ -69,7 +69,7 @@ StackEntry partly(const StackEntry& entry, double part) {
 glm::dmat4 product(std::span<const StackEntry> stack) {
     glm::dmat4 m(1.0);
     for (const StackEntry& entry : stack) m = matrix(entry) * m;
-    return m;
+    return with_unit_w(m);
 }
 
 std::optional<glm::dmat3> composite_of_inverse_transposes(std::span<const StackEntry> stack) {

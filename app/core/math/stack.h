@@ -41,9 +41,10 @@ using StackEntry = std::variant<Scale, Rotate, Translate, Shear, Matrix>;
 std::string_view name(const StackEntry& entry);
 /// Part of the entry's way from doing nothing (0) to all that it does (1): angles, offsets and factors grow evenly.
 StackEntry partly(const StackEntry& entry, double part);
-/// The entry's 4×4 matrix.
+/// The entry's 4×4 matrix; one with the bottom row 0 0 0 s is divided by s, which is the same map.
 glm::dmat4 matrix(const StackEntry& entry);
-/// The product of the entries, the first of which acts on the object first: M = last … first.
+/// The product of the entries, the first of which acts on the object first: M = last … first. Divided as an
+/// entry's matrix is.
 glm::dmat4 product(std::span<const StackEntry> stack);
 
 /// (M3⁻¹)ᵀ accumulated from the single entries' inverse transposes in the original order,

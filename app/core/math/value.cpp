@@ -1,12 +1,12 @@
 #include "core/math/value.h"
 
+#include "core/base/decimal.h"
 #include "core/math/normal_rules.h"
 
 #include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace normalscope {
@@ -189,12 +189,10 @@ std::optional<Difference> difference(const Value& a, const Value& b) {
 std::string number_text(double number, double error, int decimals) {
     if (!std::isfinite(number)) return "too large";
     if (std::abs(number) <= error || number == 0.0) return "0";
-    std::array<char, 64> text{};
     const double size = std::abs(number);
     if (size >= 1e6 || size < 0.5 * std::pow(10.0, 1 - decimals)) {
-        std::snprintf(text.data(), text.size(), "%.*e", decimals - 1, number);
         // 1.500e-08 is 1.5e-8
-        std::string digits(text.data()), exponent = digits.substr(digits.find('e') + 1);
+        std::string digits = with_exponent(number, decimals - 1), exponent = digits.substr(digits.find('e') + 1);
         digits.resize(digits.find('e'));
         digits.resize(digits.find_last_not_of('0') + 1);
         if (digits.ends_with('.')) digits.pop_back();
@@ -204,8 +202,7 @@ std::string number_text(double number, double error, int decimals) {
     }
     // Before the point as many more digits as after it fewer: large entries would push a matrix off the page.
     const int whole = size >= 100.0 ? static_cast<int>(std::log10(size)) - 1 : 0;
-    std::snprintf(text.data(), text.size(), "%.*f", std::max(decimals - whole, 0), number);
-    std::string digits(text.data());
+    std::string digits = with_decimals(number, std::max(decimals - whole, 0));
     if (digits.find('.') != std::string::npos) {
         digits.resize(digits.find_last_not_of('0') + 1);
         if (digits.ends_with('.')) digits.pop_back();

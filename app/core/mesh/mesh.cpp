@@ -129,8 +129,7 @@ DisjointSets parts_around(const Mesh& mesh, std::span<const std::uint32_t> corne
     return parts;
 }
 
-}  // namespace
-
+// Gives each side of a crease a vertex of its own where the vertex has no normal.
 void split_at_creases(Mesh& mesh) {
     const double least_cosine = std::cos(glm::radians(kCreaseDegrees)),
                  half = std::cos(glm::radians(kCreaseDegrees / 2));
@@ -139,6 +138,7 @@ void split_at_creases(Mesh& mesh) {
         face_normals[i] = unit_or_zero(area_vector(mesh, mesh.triangles[i]));
     const CornersAtVertices around(mesh);
     for (std::size_t v = 0, count = mesh.positions.size(); v < count; ++v) {
+        if (mesh.normals[v] != glm::dvec3(0.0)) continue;
         const std::span<const std::uint32_t> corners = around.at(v);
         // Where all lean less than half as much from their mean no two are apart: so it is nearly everywhere.
         glm::dvec3 sum(0.0);
@@ -158,6 +158,19 @@ void split_at_creases(Mesh& mesh) {
             mesh.triangles[corners[i] / 3][static_cast<int>(corners[i] % 3)] = vertex_of_part[part];
         }
     }
+}
+
+}  // namespace
+
+bool complete_normals(Mesh& mesh) {
+    const std::size_t count = mesh.positions.size();
+    mesh.normals.resize(count, glm::dvec3(0.0));
+    split_at_creases(mesh);
+    mesh.normals.resize(mesh.positions.size(), glm::dvec3(0.0));
+    const std::vector<glm::dvec3> computed = area_weighted_normals(mesh.positions, mesh.triangles);
+    for (std::size_t i = 0; i < computed.size(); ++i)
+        if (mesh.normals[i] == glm::dvec3(0.0)) mesh.normals[i] = computed[i];
+    return mesh.positions.size() > count;
 }
 
 std::vector<Site> face_sites(const Mesh& mesh) {

@@ -24,8 +24,8 @@ struct Mesh {
     std::vector<std::uint32_t> face_of_triangle;
     bool closed = false;  ///< known to have no opening: from outside, no triangle shows its back
     NormalSource normal_source = NormalSource::Exact;
-    /// What the reader should tell the user (one line), such as normals that had to be computed; empty if nothing.
-    std::string note;
+    /// What the maker has to tell the user, a line each, such as that normals had to be computed.
+    std::vector<std::string> notes;
 
     std::size_t face_count() const {
         return face_of_triangle.empty() ? triangles.size() : face_of_triangle.back() + std::size_t{1};
@@ -46,9 +46,10 @@ std::vector<glm::dvec3> area_weighted_normals(const std::vector<glm::dvec3>& pos
 /// Where two faces meet at more than this they meet in an edge, and not in what stands for a smooth surface.
 inline constexpr double kCreaseDegrees = 60.0;
 
-/// Gives each side of a crease vertices of its own, so that area_weighted_normals leaves it sharp. Faces around a vertex
-/// stay together where one is reached from the other across edges that are no creases. Leaves `normals` alone.
-void split_at_creases(Mesh& mesh);
+/// Gives vertices without a normal (zero) area-weighted ones, sharp at creases: each side of a crease gets vertices of
+/// its own, and faces around a vertex stay together where one is reached from the other across edges that are no creases.
+/// True where there is such a crease.
+bool complete_normals(Mesh& mesh);
 
 /// One site a face: the area centroid and the face's unit normal (of its triangles' area vectors); zero-area faces are left out.
 std::vector<Site> face_sites(const Mesh& mesh);

@@ -3,9 +3,10 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/mesh/polygons.h"
+#include "core/mesh/words.h"
 
 #include <algorithm>
-#include <cctype>
+#include <array>
 
 namespace normalscope {
 
@@ -13,20 +14,45 @@ namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;  // some 25 million triangles
 
+struct Format {
+    std::string_view ending;
+    Polygons (*read)(std::string_view, const std::string&);
+};
+constexpr std::array<Format, 3> kFormats{{{".obj", read_obj}, {".ply", read_ply}, {".stl", read_stl}}};
+
+const Format* format_of(const std::filesystem::path& file) {
+    const std::string ending = file.extension().string();
+    const auto* const found =
+        std::ranges::find_if(kFormats, [&](const Format& f) { return is_word(ending, f.ending); });
+    return found == kFormats.end() ? nullptr : found;
+}
+
 }  // namespace
+
+std::vector<std::string_view> mesh_endings() {
+    std::vector<std::string_view> endings;
+    for (const Format& format : kFormats) endings.push_back(format.ending);
+    return endings;
+}
+
+std::string mesh_endings_in_words(std::string_view between, std::string_view before_last) {
+    std::string words;
+    for (const Format& format : kFormats)
+        words.append(words.empty() ? "" : &format == &kFormats.back() ? before_last : between).append(format.ending);
+    return words;
+}
+
+bool is_mesh_file(const std::filesystem::path& file) { return format_of(file) != nullptr; }
 
 Mesh load_mesh(const std::filesystem::path& file) {
     const std::string name = file.string();
-    std::string ending = file.extension().string();
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const auto reader = ending == ".obj"   ? read_obj
-                        : ending == ".ply" ? read_ply
-                        : ending == ".stl" ? read_stl
-                                           : nullptr;
-    if (!reader) throw InputError(name + ": its ending names no mesh format; a mesh ends in .obj, .ply or .stl");
+    const Format* const format = format_of(file);
+    if (!format)
+        throw InputError(name + ": its ending names no mesh format; a mesh ends in " +
+                         mesh_endings_in_words(", ", " or "));
     const std::string bytes = read_file(file, kLargestFile);
     if (bytes.empty()) throw InputError(name + ": is empty; export the mesh anew");
-    return mesh_of(reader(bytes, name), name);
+    return mesh_of(format->read(bytes, name), name);
 }
 
 }  // namespace normalscope

@@ -1,5 +1,6 @@
 #include "core/mesh/polygons.h"
 
+#include "core/base/beside.h"
 #include "core/base/error.h"
 #include "core/mesh/closed_mesh.h"
 
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 #include <limits>
 
 namespace normalscope {
@@ -37,12 +37,13 @@ struct CornerKinds {
     bool same_index = true;  // wherever there is a normal, it has the position's index
 };
 
-CornerKinds check_corners(const Polygons& polygons, const std::string& file) {
+// A corner whose normal is not in the file is one without a normal.
+CornerKinds check_corners(Polygons& polygons, const std::string& file) {
     // Unsigned, so that one comparison finds the negative ones too.
     const auto positions = static_cast<std::uint32_t>(polygons.positions.size());
     const auto normals = static_cast<std::uint32_t>(polygons.normals.size());
     CornerKinds kinds;
-    const auto complain = [&](const Polygons::Block& block, std::size_t corner, const std::string& what) {
+    const auto complain = [&](const Polygons::Block& block, std::size_t corner) {
         std::size_t face = 0, end = 0;
         for (const Polygons::Block& before : polygons.faces) {
             if (&before == &block) break;
@@ -52,20 +53,21 @@ CornerKinds check_corners(const Polygons& polygons, const std::string& file) {
             ++face;
             if ((end += size) > corner) break;
         }
-        throw InputError(file + ": face " + std::to_string(face) + " refers to " + what +
-                         "; repair or export the mesh anew");
+        const std::string line =
+            polygons.line_of_face ? "line " + std::to_string(polygons.line_of_face(face - 1)) + ": " : "";
+        throw InputError(file + ": " + line + "face " + std::to_string(face) +
+                         " refers to a vertex that does not exist (there are " + std::to_string(positions) +
+                         "); repair or export the mesh anew");
     };
-    for (const Polygons::Block& block : polygons.faces)
-        for (const Polygons::Corner& c : block.corners) {
-            const auto corner = static_cast<std::size_t>(&c - block.corners.data());
+    for (Polygons::Block& block : polygons.faces)
+        for (Polygons::Corner& c : block.corners) {
             if (static_cast<std::uint32_t>(c.position) >= positions)
-                complain(block, corner, "a vertex that does not exist (there are " + std::to_string(positions) + ")");
-            if (c.normal == Polygons::kNone) {
+                complain(block, static_cast<std::size_t>(&c - block.corners.data()));
+            if (static_cast<std::uint32_t>(c.normal) >= normals) {
+                c.normal = Polygons::kNone;
                 kinds.any_without = true;
                 continue;
             }
-            if (static_cast<std::uint32_t>(c.normal) >= normals)
-                complain(block, corner, "a normal that does not exist (there are " + std::to_string(normals) + ")");
             kinds.any_normal = true;
             kinds.same_index = kinds.same_index && c.normal == c.position;
         }
@@ -246,27 +248,23 @@ Mesh mesh_of(Polygons polygons, const std::string& file) {
     }
     flat += dropped;
 
-    std::future<bool> closed = std::async(std::launch::async, [&mesh] { return is_closed(mesh); });
+    Beside<bool> closed = beside([&mesh] { return is_closed(mesh); });
     mesh.normal_source = kinds.any_normal ? NormalSource::File : NormalSource::Computed;
     normalise(mesh.normals);
-    const auto missing = static_cast<std::size_t>(std::ranges::count(mesh.normals, glm::dvec3(0.0)));
-    if (!kinds.any_normal) {
-        closed.wait();  // it reads what changes now
-        const std::size_t smooth = mesh.positions.size();
-        split_at_creases(mesh);
-        mesh.normals = area_weighted_normals(mesh.positions, mesh.triangles);
-        mesh.note = short_name + " has no " + std::string(polygons.lacking) + ": computed, area-weighted";
-        if (mesh.positions.size() > smooth)
-            mesh.note += ", sharp where faces meet at more than " + std::to_string(std::lround(kCreaseDegrees)) + "°";
-    } else if (missing > 0) {
-        const std::vector<glm::dvec3> computed = area_weighted_normals(mesh.positions, mesh.triangles);
-        for (std::size_t i = 0; i < computed.size(); ++i)
-            if (mesh.normals[i] == glm::dvec3(0.0)) mesh.normals[i] = computed[i];
-        mesh.note = short_name + " lacks " + counted(missing, "usable normal") + ": computed, area-weighted";
+    const auto missing = kinds.any_normal ? static_cast<std::size_t>(std::ranges::count(mesh.normals, glm::dvec3(0.0)))
+                                          : mesh.positions.size();
+    if (missing > 0) {
+        const std::string what = kinds.any_normal ? " lacks " + counted(missing, "usable normal")
+                                                  : " has no " + std::string(polygons.lacking);
+        mesh.notes.push_back(short_name + what + ": computed, area-weighted");
+        mesh.closed = closed.get();  // it reads what changes now
+        if (complete_normals(mesh))
+            mesh.notes.back() +=
+                ", sharp where faces meet at more than " + std::to_string(std::lround(kCreaseDegrees)) + "°";
     }
-    if (flat > 0)
-        mesh.note += (mesh.note.empty() ? short_name + ": " : "; ") + counted(flat, "face") + " without area left out";
-    mesh.closed = closed.get();
+    if (closed) mesh.closed = closed.get();
+    if (flat > 0) mesh.notes.push_back(short_name + ": " + counted(flat, "face") + " without area left out");
+    if (!polygons.note.empty()) mesh.notes.push_back(short_name + ": " + polygons.note);
     return mesh;
 }
 

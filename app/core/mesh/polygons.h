@@ -5,6 +5,8 @@
 #include "core/mesh/mesh.h"
 
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +20,7 @@ struct Polygons {
         std::int32_t normal;  ///< kNone where the file gives none
     };
     static constexpr std::int32_t kNone = -1;
+    static constexpr std::int32_t kNowhere = std::numeric_limits<std::int32_t>::max();
     /// Faces one after the other. There are several blocks where several threads have read the file.
     struct Block {
         std::vector<Corner> corners;
@@ -28,15 +31,16 @@ struct Polygons {
     std::vector<glm::dvec3> normals;
     std::vector<Block> faces;
     std::string_view lacking = "normals";  ///< what the note calls the normals that the file does not have
+    std::string note{};                    ///< what else the user should know of the file; empty if nothing
+    /// The line of a face, counted from 0, as long as the text is there; none where lines mean nothing to a user.
+    std::function<std::size_t(std::size_t face)> line_of_face{};
 };
 
-/// Readers check what the file's format demands. They throw InputError; `file` names the text in errors.
+/// Readers check what the file's format demands. They throw InputError; `file` names the text in errors. An index of
+/// Polygons::kNowhere is one that no file has.
 Polygons read_obj(std::string_view text, const std::string& file);
 Polygons read_ply(std::string_view bytes, const std::string& file);
 Polygons read_stl(std::string_view bytes, const std::string& file);
-
-/// What assimp makes of bytes whose claims about sizes have been checked. Throws InputError with assimp's reason.
-Polygons import_by_assimp(std::string_view bytes, const char* ending, const std::string& file);
 
 /// Appends triangles (as places in `ring`) that cover the polygon, which may be concave and a little out of plane.
 /// Throws InputError for a concave one with more corners than can be cut in reasonable time.

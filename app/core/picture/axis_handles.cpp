@@ -26,8 +26,12 @@ std::vector<AxisHandle> axis_handles(const Scene& scene, const glm::dvec3& exten
     for (int axis = 0; axis < 3; ++axis) {
         Vector<Object> direction;
         direction.xyz[axis] = std::max(kBeyond * extent[axis], kLeast);
-        const AxisHandle handle{axis, after(Point<Object>{}), after(direction), factors[axis]};
-        if (glm::length(handle.unit.xyz) > 1e-6) handles.push_back(handle);
+        AxisHandle handle{axis, after(Point<Object>{}), after(Point<Object>{}, direction), factors[axis]};
+        // An M that is not affine takes the knob elsewhere along the axis.
+        if (const Point<Object> knob{factors[axis] * direction.xyz};
+            !after.affine() && factors[axis] != 0.0 && after.reaches(knob))
+            handle.unit = (1.0 / factors[axis]) * (after(knob) - handle.origin);
+        if (glm::length(handle.unit.xyz) > 1e-12) handles.push_back(handle);
     }
     return handles;
 }
@@ -62,9 +66,12 @@ Scene stretched(const Scene& scene, const AxisHandle& handle, double factor, boo
     glm::dvec3& factors = std::get<Scale>(*std::ranges::find_if(result.stack, [](const StackEntry& e) {
                               return std::holds_alternative<Scale>(e);
                           })).factors;
-    // Hundredths: what one drags to should be a number one can say.
-    const double rounded = std::clamp(std::round(100.0 * factor) / 100.0, -100.0, 100.0) + 0.0;
-    const double before = factors[handle.axis];
+    // Hundredths, of whatever size it is: what one drags to should be a number one can say.
+    const double before = factors[handle.axis], size = std::abs(before);
+    const bool ordinary = size == 0.0 || (size >= 0.01 && size <= 100.0);
+    const double per = ordinary ? 100.0 : std::pow(10.0, 2.0 - std::floor(std::log10(size))),
+                 most = ordinary ? 100.0 : std::max(100.0, 100.0 * size);
+    const double rounded = std::clamp(std::round(per * factor) / per, -most, most) + 0.0;
     if (uniform && before != 0.0)
         factors *= rounded / before;
     else if (uniform)

@@ -1,8 +1,9 @@
 #include "core/picture/contour.h"
 
+#include "core/base/decimal.h"
+
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <map>
 #include <utility>
 
@@ -17,9 +18,7 @@ Key key(glm::dvec2 p) { return {std::llround(p.x * 1000.0), std::llround(p.y * 1
 glm::dvec2 place(Key k) { return {static_cast<double>(k.first) / 1000.0, static_cast<double>(k.second) / 1000.0}; }
 
 std::string coordinate(double v) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f", v);
-    std::string s = text;
+    std::string s = with_decimals(v, 1);
     if (s.ends_with(".0")) s.resize(s.size() - 2);
     return s == "-0" ? "0" : s;
 }
@@ -60,15 +59,17 @@ std::vector<Loop> contours(const std::vector<PlaneTriangle>& triangles) {
     return loops;
 }
 
-std::string path_data(const std::vector<glm::dvec2>& line, bool closed) {
+std::string open_path_data(const std::vector<glm::dvec2>& line) {
     std::string data;
     for (std::size_t i = 0; i < line.size(); ++i) data += (i == 0 ? "M" : "L") + point(line[i]);
-    return data + (closed ? "Z" : "");
+    return data;
 }
+
+std::string closed_path_data(const std::vector<glm::dvec2>& line) { return open_path_data(line) + "Z"; }
 
 std::string path_data(const std::vector<Loop>& loops) {
     std::string data;
-    for (const Loop& loop : loops) data += path_data(loop, true);
+    for (const Loop& loop : loops) data += closed_path_data(loop);
     return data;
 }
 

@@ -18,6 +18,7 @@ std::vector<Loop> contours(const std::vector<PlaneTriangle>& triangles);
 
 /// The loops as an SVG path's data, in tenths of a pixel.
 std::string path_data(const std::vector<Loop>& loops);
-std::string path_data(const std::vector<glm::dvec2>& line, bool closed);
+std::string open_path_data(const std::vector<glm::dvec2>& line);
+std::string closed_path_data(const std::vector<glm::dvec2>& line);
 
 }  // namespace normalscope

@@ -1,5 +1,6 @@
 #include "core/picture/decomposition_marks.h"
 
+#include "core/base/decimal.h"
 #include "core/math/polar_decomposition.h"
 #include "core/picture/arcs.h"
 #include "core/picture/frame_options.h"
@@ -9,7 +10,6 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace normalscope {
 
@@ -27,7 +27,7 @@ std::size_t nearest_normal(const Mesh& mesh, const WorstNormal& worst) {
     return best;
 }
 
-void add_label(Pane& pane, const glm::dvec3& at, const char* text, const glm::vec3& color) {
+void add_label(Pane& pane, const glm::dvec3& at, const std::string& text, const glm::vec3& color) {
     const glm::dvec3 pixel = pane.view.pixel({at});
     if (pixel.z > 0.0)
         pane.labels.push_back({Label::Role::Axis, glm::vec2(pane.rect.origin) + glm::vec2(pixel), text, color});
@@ -35,8 +35,10 @@ void add_label(Pane& pane, const glm::dvec3& at, const char* text, const glm::ve
 
 }  // namespace
 
-void add_decomposition_marks(Pane& pane, const Scene& scene, const Mesh& mesh,
-                             const Transform<World, Object>& world_from_object, const FrameOptions& options) {
+void add_decomposition_marks(Pane& pane, const Scene& scene, const Mesh& mesh, const Transform<World, Object>& any,
+                             const FrameOptions& options) {
+    // Of an M that is not affine: what it does next to the middle.
+    const Transform<World, Object> world_from_object = any.at({});
     const NormalMatrices& matrices = world_from_object.normal_matrices_by_rule();
     const Decomposition parts = decomposition(matrices.naive, matrices.rank);
     const glm::dvec3 origin = world_from_object(Point<Object>{}).xyz;
@@ -46,15 +48,15 @@ void add_decomposition_marks(Pane& pane, const Scene& scene, const Mesh& mesh,
         const StretchAxis& axis = parts.axes[i];
         // A little longer than the unit ball's image, so that the ends come out of the object.
         const glm::dvec3 end = (1.2 * axis.factor) * axis.to.xyz;
-        const double radius = std::max(0.012, 1.6 * pixel);
+        const double radius = std::max(0.012 * options.unit, 1.6 * pixel);
         add_arrow(pane.solids, origin, end, radius, ink);
         add_arrow(pane.solids, origin, -end, radius, ink);
-        char text[40];
-        std::snprintf(text, sizeof text, "\u03C3%s %.2f", std::array{"\u2081", "\u2082", "\u2083"}[i], axis.factor);
+        const std::string text =
+            std::array{"\u03C3\u2081 ", "\u03C3\u2082 ", "\u03C3\u2083 "}[i] + with_decimals(axis.factor, 2);
         add_label(pane, origin + 1.08 * end, text, theme_colors(scene.theme).text);
     }
 
-    if (!parts.worst || parts.worst->degrees < 1e-6 || mesh.normals.empty()) return;
+    if (!any.affine() || !parts.worst || parts.worst->degrees < 1e-6 || mesh.normals.empty()) return;
     const std::size_t vertex = nearest_normal(mesh, *parts.worst);
     const Normal<Object> n{mesh.normals[vertex]};
     const auto right = world_from_object(n);
@@ -62,14 +64,13 @@ void add_decomposition_marks(Pane& pane, const Scene& scene, const Mesh& mesh,
     if (!right || !angle_degrees(naive.xyz, right->xyz)) return;
     const glm::dvec3 base = world_from_object(Point<Object>{mesh.positions[vertex]}).xyz;
     const glm::dvec3 u = glm::normalize(naive.xyz), v = glm::normalize(right->xyz);
-    const double length = std::max(4.6 * scene.arrows.length, 70.0 * pixel),
+    const double length = std::max(4.6 * options.unit * scene.arrows.length, 70.0 * pixel),
                  radius = std::max(0.022 * length, 1.7 * pixel);
-    add_arrow(pane.solids, base, length * u, radius, glm::vec4(kNaiveColor, 1.0f));
+    add_arrow(pane.solids, base, length * u, radius, glm::vec4(kNaiveColor, 1.0f), ArrowLook::Dashed, {});
     add_arrow(pane.solids, base, length * v, radius, glm::vec4(kInverseTransposeColor, 1.0f));
     const std::vector<glm::dvec3> arc = arc_between(base, u, v, 0.6 * length);
-    add_tube(pane.solids, arc, std::max(0.007, 1.1 * pixel), ink);
-    char text[40];
-    std::snprintf(text, sizeof text, "worst %.1f\u00B0", *angle_degrees(u, v));
+    add_tube(pane.solids, arc, std::max(0.007 * options.unit, 1.1 * pixel), ink);
+    const std::string text = "worst " + with_decimals(*angle_degrees(u, v), 1) + "\u00B0";
     add_label(pane, base + 1.5 * (arc[arc.size() / 2] - base), text, theme_colors(scene.theme).text);
 }
 

@@ -25,9 +25,11 @@ float DisplayScale::of(float desktop, glm::ivec2 framebuffer, bool presenting) c
     return static_cast<float>(std::max(kPresented / kSmallestWords * share, 0.6) * presenter);
 }
 
-float usual_scale(glm::ivec2 size, bool panel) {
+float usual_scale(glm::ivec2 size) {
     const float share = std::min(static_cast<float>(size.x) / 1280.0f, static_cast<float>(size.y) / 720.0f);
-    return std::clamp(std::round(10.0f * share) / 10.0f, panel ? 1.0f : 0.5f, 8.0f);
+    return std::clamp(std::round(10.0f * share) / 10.0f, 0.5f, 8.0f);
 }
+
+float usual_panel_scale(glm::ivec2 size) { return std::max(usual_scale(size), 1.0f); }
 
 }  // namespace normalscope

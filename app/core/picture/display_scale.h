@@ -18,6 +18,7 @@ struct DisplayScale {
 };
 
 /// Words and lines keep their share of the picture, whatever its size; the panel must stay legible in a small one.
-float usual_scale(glm::ivec2 size, bool panel);
+float usual_scale(glm::ivec2 size);
+float usual_panel_scale(glm::ivec2 size);
 
 }  // namespace normalscope

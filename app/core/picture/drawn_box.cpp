@@ -1,5 +1,7 @@
 #include "core/picture/drawn_box.h"
 
+#include "core/picture/picture_scale.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -17,7 +19,7 @@ public:
 
     void add(const glm::dvec3& world) {
         const glm::dvec3 pixel = view_.pixel({world});
-        in_front_ = in_front_ && pixel.z > 1e-6;  // not where it is NaN
+        in_front_ = in_front_ && pixel.z > 0.0;  // not where it is NaN
         low_ = glm::min(low_, glm::dvec2(pixel));
         high_ = glm::max(high_, glm::dvec2(pixel));
     }
@@ -79,10 +81,7 @@ void add_arrows(Bounds& bounds, std::span<const Site> sites, const ArrowDraw& dr
 }  // namespace
 
 PixelRect drawn_box(const Surface& surface, const Pane& pane) {
-    glm::dvec3 extent = surface.extent;
-    // A formula's surface goes beyond its mesh, where it has one.
-    if (surface.implicit && surface.implicit->region())
-        extent = glm::max(glm::abs(surface.implicit->region()->low), glm::abs(surface.implicit->region()->high));
+    const glm::dvec3 extent = drawn_extent(surface);
     Bounds bounds(pane.view);
     for (const SurfaceDraw& draw : pane.surfaces)
         if (!surface.implicit && surface.mesh.positions.size() <= kFew)

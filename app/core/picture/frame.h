@@ -51,8 +51,20 @@ struct SurfaceDraw {
     enum class Cull { None, PictureBacks, Inside } cull = Cull::None;
     bool mirrored = false;          ///< M reflects: what was counterclockwise is clockwise in the picture
     bool black_where_zero = false;  ///< as NaN would look, where a normal comes out zero
-    bool by_error = false;          ///< coloured by the naive rule's error instead
+    SurfaceColor shows = SurfaceColor::Lit;
 };
+
+/// A shape of its own for each kind of arrow, for whom colours look alike; the legend's are the same.
+enum class ArrowLook { Plain, Dashed, Hollow, TwoHeads };
+constexpr ArrowLook arrow_look(ArrowKind kind) {
+    switch (kind) {
+        case ArrowKind::Object: return ArrowLook::Hollow;
+        case ArrowKind::Naive: return ArrowLook::Dashed;
+        case ArrowKind::Cofactor: return ArrowLook::TwoHeads;
+        case ArrowKind::InverseTranspose: break;
+    }
+    return ArrowLook::Plain;
+}
 
 /// The surface's arrows drawn once: bases by one matrix, directions by another, length and radius in world units.
 struct ArrowDraw {
@@ -61,7 +73,7 @@ struct ArrowDraw {
     glm::vec3 color{1.0f};
     float length = 0.1f;
     float radius = 0.01f;
-    bool two_heads = false;  ///< a shape of its own, for whom colours look alike
+    ArrowLook look = ArrowLook::Plain;
 };
 
 /// Corner of a triangle in world space, for what is made anew every frame: the probe's arrows and marks, the axes.
@@ -93,6 +105,19 @@ struct LegendEntry {
     glm::vec3 color;
 };
 
+/// What a surface's colours stand for where it is not lit.
+struct ColorKey {
+    SurfaceColor of = SurfaceColor::Error;
+    std::string text;  ///< "naive rule’s error"
+};
+
+/// What the error map compares at each place: the map that is shown in the naive rule's place, and the matrix that the
+/// tangent plane (n, −n·p) goes by. Its 3×3 part is all that counts where M is affine.
+struct ErrorMaps {
+    NormalMap shown;
+    glm::dmat4 planes{1.0};
+};
+
 /// One view of the scene: the whole picture, or the half that shows one rule.
 struct Pane {
     PixelRect rect;
@@ -113,13 +138,13 @@ struct Frame {
     std::shared_ptr<const Surface> surface;
     std::vector<Pane> panes;
     glm::vec3 toward_light{0.0f, 1.0f, 0.0f};
-    /// The naive rule's map and the true one, for the error map; empty where either does not exist.
-    std::optional<std::array<NormalMap, 2>> error_maps;
+    std::optional<ErrorMaps> error_maps;  ///< empty where there is nothing to compare
+    double unit = 1.0;                    ///< what is long in the picture beside a large or small object (picture_unit)
     std::optional<glm::vec3> plain_ground;  ///< behind everything, in place of the theme's ground
     std::optional<float> ground_height;     ///< of the grid; empty: no grid
     glm::mat3 shadow_from_ground{0.0f};     ///< (x, z, 1) to a disc that is 1 where the object's shadow ends
     std::vector<LegendEntry> legend;
-    bool error_legend = false;
+    std::optional<ColorKey> color_key;
     Quality quality = Quality::Fine;
     std::optional<ProbeInWorld> probe;
     std::optional<SingularPoint> singular;  ///< where the probe stands on one

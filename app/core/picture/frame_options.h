@@ -18,6 +18,7 @@ struct FrameOptions {
     Quality quality = Quality::Fine;
     /// The scene's (LevelSetsCache); null: they are made anew.
     std::shared_ptr<const LevelSets> level_sets{};
+    double unit = 1.0;  ///< as Frame::unit; make_frame finds it
 };
 
 }  // namespace normalscope

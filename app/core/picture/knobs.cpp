@@ -37,7 +37,8 @@ std::vector<Knob> knobs(const Scene& scene, const Transform<World, Object>& worl
     at.xyz[(axis + 2) % 3] = 1.06 * edge;
     Vector<Object> along;
     along.xyz[axis] = 1.0;
-    if (const Vector<World> image = world_from_object(along); glm::length(image.xyz) > 1e-6)
+    if (const Vector<World> image = world_from_object(at, along);
+        world_from_object.reaches(at) && glm::length(image.xyz) > 1e-12)
         result.push_back({Knob::What::Slice, world_from_object(at), image});
     return result;
 }

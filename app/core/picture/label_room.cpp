@@ -98,7 +98,8 @@ void LabelRoom::put_beside(const glm::dvec3& at, const std::string& text, const 
     for (const double away : {7.0, 15.0, 26.0, 40.0})
         for (int k = 0; k < 16; ++k) {
             // From the upper right on, in turn to either side of it.
-            const double angle = 0.7 + (k % 2 == 0 ? 1.0 : -1.0) * ((k + 1) / 2) * 0.392699;
+            const int turns = k % 2 == 0 ? k / 2 : -(k + 1) / 2;
+            const double angle = 0.7 + turns * 0.392699;
             const glm::dvec2 toward(std::cos(angle), -std::sin(angle));
             // So far that the box ends at this distance.
             const Box box{

@@ -2,7 +2,9 @@
 
 #include "core/picture/axis_handles.h"
 #include "core/picture/decomposition_marks.h"
+#include "core/picture/drawn_arrows.h"
 #include "core/picture/knobs.h"
+#include "core/picture/picture_scale.h"
 #include "core/picture/probe_marks.h"
 #include "core/picture/ray_marks.h"
 #include "core/picture/singular_marks.h"
@@ -51,10 +53,8 @@ std::vector<Pane> empty_panes(const Scene& scene, const PixelRect& rect) {
     const int left = rect.size.x / 2;
     const PixelRect halves[]{{rect.origin, {left, rect.size.y}},
                              {rect.origin + glm::ivec2(left, 0), {rect.size.x - left, rect.size.y}}};
-    // Left argues for the naive rule; right for the chosen one.
-    const Rule right = scene.rule == Rule::Naive ? Rule::InverseTranspose : scene.rule;
     std::vector<Pane> panes;
-    for (const Rule rule : {Rule::Naive, right}) {
+    for (const Rule rule : pane_rules(scene)) {
         const PixelRect& half = halves[panes.size()];
         panes.push_back(
             Pane{half, rule, CameraView(scene.camera, glm::max(half.size, glm::ivec2(1))), {}, {}, {}, {}, {}, {}});
@@ -64,28 +64,28 @@ std::vector<Pane> empty_panes(const Scene& scene, const PixelRect& rect) {
 
 void add_surfaces(Pane& pane, const Scene& scene, const Surface& surface, const WorldFromObject& m, bool ghost,
                   Quality quality, bool sliced) {
-    const NormalMatrices& matrices = m.normal_matrices_by_rule();
     const ThemeColors colors = theme_colors(scene.theme);
     SurfaceDraw object;
     object.world_from_object = drawable(m.matrix());
     // What would hide a slice is of glass.
     object.color = glm::vec4(colors.surface, sliced ? 0.5f : 1.0f);
     const bool traced = surface.implicit && surface.implicit->region();
-    if (const auto back = m.inverse(); back && traced) object.traced_object_from_world = back->matrix();
+    // Where M is not affine a ray may come back from infinity in object space: then its mesh is drawn.
+    if (const auto back = m.inverse(); back && traced && m.affine()) object.traced_object_from_world = back->matrix();
     if (const auto map = normal_map(scene, m, pane.rule)) object.normals = scaled_for_floats(*map);
     if (scene.cull)
         object.cull = SurfaceDraw::Cull::PictureBacks;
-    else if (surface.mesh.closed && matrices.rank == 3)
+    else if (surface.mesh.closed && m.rank() == 3)
         object.cull = SurfaceDraw::Cull::Inside;
-    object.mirrored = matrices.determinant < 0.0;
+    object.mirrored = m.reflects();
     object.black_where_zero = scene.mistake == Mistake::ZeroNormal && pane.rule == Rule::Naive;
     // A reflection turns the picture's winding over. The gradient's outside stays; the cofactor's turns with it.
-    object.outside = matrices.determinant < 0.0 && pane.rule != Rule::Cofactor ? -1.0f : 1.0f;
+    object.outside = m.reflects() && pane.rule != Rule::Cofactor ? -1.0f : 1.0f;
     // Flattened, front and back lie in the same place, and neither is an inside. Their naive normals are the same, too:
     // turning one over would make them flicker. The cofactor's are opposite, and each belongs to its winding.
-    if (matrices.rank < 3 && pane.rule != Rule::Cofactor) object.outside = 0.0f;
-    object.inside_color = matrices.rank < 3 ? colors.surface : colors.inside;
-    object.by_error = scene.color == SurfaceColor::Error;
+    if (m.rank() < 3 && pane.rule != Rule::Cofactor) object.outside = 0.0f;
+    object.inside_color = m.rank() < 3 ? colors.surface : colors.inside;
+    object.shows = scene.color;
     pane.surfaces.push_back(object);
     if (!ghost) return;
     SurfaceDraw shell;
@@ -97,15 +97,16 @@ void add_surfaces(Pane& pane, const Scene& scene, const Surface& surface, const 
     pane.surfaces.push_back(shell);
 }
 
-void add_arrows(Pane& pane, const Scene& scene, const WorldFromObject& m) {
-    const auto length = static_cast<float>(2.0 * scene.arrows.length);  // in diameters of the unit ball
+void add_arrows(Pane& pane, const Scene& scene, const WorldFromObject& m, double unit) {
     const auto draw = [&](const glm::dmat4& points, const NormalMap& normals, ArrowKind kind) {
-        const float radius = std::clamp(0.042f * length, 0.003f, 0.025f);
+        const float scale = kind == ArrowKind::Object ? 1.0f : static_cast<float>(unit);
+        const float of_unit = static_cast<float>(2.0 * scene.arrows.length);  // in diameters of the unit ball
+        const float length = scale * of_unit, radius = scale * std::clamp(0.042f * of_unit, 0.003f, 0.025f);
         pane.arrows.push_back({drawable(points), scaled_for_floats(normals), arrow_color(kind, scene.theme), length,
                                kind == ArrowKind::Object ? ArrowProportions::kOfObject * radius : radius,
-                               kind == ArrowKind::Cofactor});
+                               arrow_look(kind)});
     };
-    for (const ArrowKind kind : shown_arrows(scene, pane.rule)) {
+    for (const ArrowKind kind : drawn_arrows(scene, m, pane.rule)) {
         if (kind == ArrowKind::Object) {
             if (scene.show.ghost) draw(glm::dmat4(1.0), {}, kind);
         } else if (const auto map = normal_map(scene, m, kRules[static_cast<std::size_t>(kind) - 1])) {
@@ -118,7 +119,8 @@ void add_axes(Pane& pane, const Scene& scene, const glm::dvec3& extent, const Fr
     for (const AxisHandle& handle : axis_handles(scene, extent)) {
         const glm::vec3 color = kAxisColors[static_cast<std::size_t>(handle.axis)];
         const bool hot = options.hot_axis == handle.axis;
-        const double thickness = std::max(0.010, 1.4 * options.pixel_scale * pane.view.world_per_pixel(handle.origin));
+        const double thickness =
+            std::max(0.010 * options.unit, 1.4 * options.pixel_scale * pane.view.world_per_pixel(handle.origin));
         const glm::dvec3 knob = handle.knob().xyz;
         add_tube(pane.solids, std::array{handle.origin.xyz, knob}, thickness, glm::vec4(color, 1.0f));
         const double half = (hot ? 8.5 : 6.5) * options.pixel_scale * pane.view.world_per_pixel(handle.knob());
@@ -148,12 +150,19 @@ void add_knobs(Pane& pane, const Scene& scene, const WorldFromObject& m, const F
     }
 }
 
+// Where there is nothing there is no shadow of it: all of the ground lies far outside.
+const glm::mat3 kNoShadow(glm::vec3(0.0f), glm::vec3(0.0f), glm::vec3(100.0f));
+bool casts_shadow(const Surface& surface) {
+    return !surface.mesh.triangles.empty() || (surface.implicit && surface.implicit->region());
+}
+
 // The blob under the object: the shadow of M's image of the unit ball in light from straight above. With A the x and z
 // rows of M3, the shadow is the ellipse pᵀ (A Aᵀ)⁻¹ p ≤ 1; Cholesky's A Aᵀ = L Lᵀ turns it into the disc |L⁻¹ p| ≤ 1.
-glm::mat3 shadow_disc(const WorldFromObject& m) {
+glm::mat3 shadow_disc(const WorldFromObject& any, double unit) {
+    const WorldFromObject m = any.at({});
     const glm::dmat3& m3 = m.normal_matrices_by_rule().naive;
     const glm::dvec3 x(m3[0].x, m3[1].x, m3[2].x), z(m3[0].z, m3[1].z, m3[2].z);
-    constexpr double kSoft = 0.02;  // keeps the shadow of a flattened object from vanishing
+    const double kSoft = 0.02 * unit * unit;  // keeps the shadow of a flattened object from vanishing
     const double l11 = std::sqrt(glm::dot(x, x) + kSoft), l21 = glm::dot(x, z) / l11;
     const double l22 = std::sqrt(std::max(glm::dot(z, z) + kSoft - l21 * l21, kSoft));
     const glm::dvec3 centre = m(Point<Object>{}).xyz;
@@ -163,19 +172,30 @@ glm::mat3 shadow_disc(const WorldFromObject& m) {
 }
 
 // The lowest point of object and ghost; a few thousand vertices tell it well enough, every frame.
-float ground_height(const Mesh& mesh, const WorldFromObject& m, bool ghost) {
-    double lowest = 1e9;
+float ground_height(const Mesh& mesh, const WorldFromObject& m, bool ghost, double unit) {
+    constexpr double kHighest = 1e12;
+    double lowest = kHighest;
     const std::size_t step = 1 + mesh.positions.size() / 20000;
-    for (std::size_t i = 0; i < mesh.positions.size(); i += step)
-        lowest = std::min({lowest, m(Point<Object>{mesh.positions[i]}).xyz.y, ghost ? mesh.positions[i].y : 1e9});
-    return static_cast<float>(std::clamp(lowest, -1e6, 1e6) - 0.01);
+    for (std::size_t i = 0; i < mesh.positions.size(); i += step) {
+        const Point<Object> p{mesh.positions[i]};
+        if (m.reaches(p)) lowest = std::min(lowest, m(p).xyz.y);
+        if (ghost) lowest = std::min(lowest, p.xyz.y);
+    }
+    return static_cast<float>(std::clamp(lowest, -kHighest, kHighest) - 0.01 * unit);
 }
 
-void add_legend(Frame& frame, const Scene& scene, const NormalMatrices& matrices) {
-    frame.error_legend = scene.color == SurfaceColor::Error && frame.error_maps.has_value();
+void add_legend(Frame& frame, const Scene& scene, const WorldFromObject& m) {
+    const NormalMatrices& matrices = m.normal_matrices_by_rule();
+    const MistakeText in_place = normalscope::text(scene.mistake);
+    if (scene.color == SurfaceColor::Error && frame.error_maps)
+        frame.color_key = {SurfaceColor::Error, scene.mistake == Mistake::Naive
+                                                    ? "naive rule’s error"
+                                                    : "error: " + std::string(in_place.title)};
+    else if (scene.color == SurfaceColor::Normals)
+        frame.color_key = {SurfaceColor::Normals, "normals: n·½ + ½ as red, green, blue"};
     for (const ArrowKind kind : kArrowKinds) {
         const bool shown = std::ranges::any_of(frame.panes, [&](const Pane& pane) {
-            return std::ranges::count(shown_arrows(scene, pane.rule), kind) > 0;
+            return std::ranges::count(drawn_arrows(scene, m, pane.rule), kind) > 0;
         });
         if (!shown || (kind == ArrowKind::Object && !scene.show.ghost)) continue;
         // Each half's title names its own.
@@ -193,32 +213,48 @@ void add_legend(Frame& frame, const Scene& scene, const NormalMatrices& matrices
                 text += "  does not exist";
             else if (rule == Rule::Cofactor && matrices.rank < 2)
                 text += "  is zero";
+            else if (!m.affine())
+                text += "  approximate: M is not affine";
         }
         frame.legend.push_back({kind, text, arrow_color(kind, scene.theme)});
     }
+    if (!m.affine() && frame.probe && frame.probe->truth && scene.show.probe)
+        frame.legend.push_back(
+            {ArrowKind::InverseTranspose, "the normal, by (M⁻¹)ᵀ (n, −n·p)", theme_colors(scene.theme).text});
 }
 
 }  // namespace
 
-Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, const FrameOptions& options) {
+Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, const FrameOptions& given) {
+    constexpr double kInTheWay = 0.02;  // of the ghost's size: so near to it, it is everywhere
+    if (scene.show.ghost && Camera::kFramedRadius / scene.camera.zoom < kInTheWay) {
+        Scene bare = scene;
+        bare.show.ghost = false;
+        return make_frame(bare, std::move(surface), given);
+    }
     const WorldFromObject m = world_from_object(scene);
-    const NormalMatrices& matrices = m.normal_matrices_by_rule();
+    FrameOptions options = given;
+    // Within a large object, or close to it, arrows and marks as large as that would be all that one sees.
+    options.unit = std::min(picture_unit(*surface, m), std::max(1.0, Camera::kFramedRadius / scene.camera.zoom));
 
     Frame frame;
+    frame.unit = options.unit;
     frame.rect = options.rect;
     frame.quality = options.quality;
     frame.theme = scene.theme;
     frame.surface = std::move(surface);
-    frame.toward_light = toward(scene.light).xyz;
-    if (const auto wrong = normal_map(scene, m, Rule::Naive), right = normal_map(scene, m, Rule::InverseTranspose);
-        wrong && right)
-        frame.error_maps = {scaled_for_floats(*wrong), scaled_for_floats(*right)};
+    frame.toward_light = scene.light.vector().xyz;
+    if (const auto shown = normal_map(scene, m, Rule::Naive); shown && m.inverse()) {
+        const glm::dmat4 planes = m.affine() ? glm::dmat4(*m.normal_matrices_by_rule().inverse_transpose) : *m.planes();
+        frame.error_maps = {scaled_for_floats(*shown), scaled_for_floats({.matrix = planes}).matrix};
+    }
     // At rest on the object, the ghost would only flicker.
     const bool ghost =
         scene.show.ghost && (scene.view == ViewMode::Overlay || scene.ray) && m.matrix() != glm::dmat4(1.0);
-    if (scene.show.grid) frame.ground_height = ground_height(frame.surface->mesh, m, ghost);
-    frame.shadow_from_ground = shadow_disc(m);
+    if (scene.show.grid) frame.ground_height = ground_height(frame.surface->mesh, m, ghost, options.unit);
+    frame.shadow_from_ground = casts_shadow(*frame.surface) ? shadow_disc(m, options.unit) : kNoShadow;
     frame.panes = empty_panes(scene, options.rect);
+    for (Pane& pane : frame.panes) pane.view = pane.view.reaching(farthest_depth(*frame.surface, m, pane.view));
 
     std::optional<Probe> probe;
     const CameraView& view = frame.panes.front().view;
@@ -226,6 +262,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         probe = nearest_probe(*frame.surface, *scene.probe, scene.borrow);
     else
         probe = probe_in_view(*frame.surface, m, view, 0.5 * glm::dvec2(frame.panes.front().rect.size), scene.borrow);
+    if (probe && !m.reaches(probe->point)) probe.reset();
     if (probe) frame.probe = in_world(*probe, m, scene);
     if (probe && probe->singular) frame.singular = singular_point(*frame.surface->implicit, probe->point, scene.borrow);
     if (scene.ray) frame.ray = ray_steps(scene, *frame.surface, m, view);
@@ -235,9 +272,9 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     for (Pane& pane : frame.panes) {
         add_surfaces(pane, scene, *frame.surface, m, ghost, options.quality, slice != nullptr);
         if (slice) add_slice(pane, scene, *slice, m, ghost, options);
-        add_arrows(pane, scene, m);
+        add_arrows(pane, scene, m, options.unit);
         if (scene.show.axes) add_axes(pane, scene, frame.surface->extent, options);
-        if (frame.probe) add_probe_marks(pane, scene, *frame.probe, options);
+        if (frame.probe) add_probe_marks(pane, scene, *frame.probe, drawn_arrows(scene, m, pane.rule), options);
         if (frame.singular) add_singular_marks(pane, scene, *frame.singular, m, options);
         if (options.handles) add_knobs(pane, scene, m, options);
         if (frame.ray) add_ray_marks(pane, scene, *frame.ray, m, ghost, options);
@@ -255,7 +292,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
                  rule_color(pane.rule)});
         }
     }
-    if (scene.show.legend) add_legend(frame, scene, matrices);
+    if (scene.show.legend) add_legend(frame, scene, m);
     return frame;
 }
 

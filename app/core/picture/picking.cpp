@@ -34,8 +34,8 @@ ArrowHit nearest_arrow(const Frame& frame, const Pane& pane, glm::dvec2 pixel, d
     for (const ArrowDraw& draw : pane.arrows)
         for (const Site& site : frame.surface->arrows) {
             const glm::dvec3 direction = draw.normals(site.normal).xyz;
-            if (!(glm::length(direction) > 0.0)) continue;
             const glm::dvec4 h = glm::dmat4(draw.world_from_object) * glm::dvec4(site.point.xyz, 1.0);
+            if (!(glm::length(direction) > 0.0) || !(h.w > 0.0)) continue;
             const glm::dvec3 base = glm::dvec3(h) / h.w;
             const glm::dvec3 from = pane.view.pixel({base});
             const glm::dvec3 to = pane.view.pixel({base + double(draw.length) * glm::normalize(direction)});
@@ -100,13 +100,16 @@ WorldBall bounding_ball(const Mesh& mesh, const Transform<World, Object>& world_
     if (mesh.positions.empty()) return {};
     glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
     for (const glm::dvec3& p : mesh.positions) {
+        if (!world_from_object.reaches({p})) continue;
         const glm::dvec3 world = world_from_object(Point<Object>{p}).xyz;
         low = glm::min(low, world);
         high = glm::max(high, world);
     }
+    if (!(low.x <= high.x)) return {};
     WorldBall ball{{0.5 * (low + high)}, 0.0};
     for (const glm::dvec3& p : mesh.positions)
-        ball.radius = std::max(ball.radius, glm::length(world_from_object(Point<Object>{p}).xyz - ball.centre.xyz));
+        if (world_from_object.reaches({p}))
+            ball.radius = std::max(ball.radius, glm::length(world_from_object(Point<Object>{p}).xyz - ball.centre.xyz));
     return ball;
 }
 

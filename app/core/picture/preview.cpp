@@ -36,11 +36,11 @@ glm::dvec4 seen(const ImplicitSurface& surface, const CameraView& view, const Ra
 
 }  // namespace
 
-Image preview(const ImplicitSurface& surface, const Camera& camera, int side, const std::stop_token& stop) {
+Image preview(const ImplicitSurface& surface, const Camera& camera, int side, const Stop& stop) {
     Image image = make_image({side, side});
     const double fits = 0.9 * surface.source().bound * (surface.source().clip == Clip::Box ? 1.4 : 1.0);
     const CameraView view(framed(camera, {}, fits), glm::dvec2(side));
-    for (int y = 0; y < side && !stop.stop_requested(); ++y)
+    for (int y = 0; y < side && !stop.asked(); ++y)
         for (int x = 0; x < side; ++x) {
             glm::dvec4 sum(0.0);
             for (int k = 0; k < kSamples * kSamples; ++k)

@@ -1,5 +1,6 @@
 #include "core/picture/probe_marks.h"
 
+#include "core/base/decimal.h"
 #include "core/picture/arcs.h"
 #include "core/picture/frame_options.h"
 #include "core/picture/solids.h"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace normalscope {
 
@@ -32,14 +32,6 @@ std::optional<TangentPlane> tangent_plane(const ProbeInWorld& probe, const glm::
     return TangentPlane{probe.point.xyz, n, u, glm::cross(n, u)};
 }
 
-void add_angle_label(Pane& pane, const std::vector<glm::dvec3>& arc, double degrees, const glm::vec3& color) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f\u00B0", degrees);
-    const glm::dvec3 at = pane.view.pixel({arc[arc.size() / 2]});
-    if (at.z > 0.0)
-        pane.labels.push_back({Label::Role::Angle, glm::vec2(pane.rect.origin) + glm::vec2(at), text, color});
-}
-
 bool parallel(const glm::dvec3& a, const glm::dvec3& b) { return glm::length(glm::cross(a, b)) < 1e-9; }
 
 // What the derivation's symbols stand for at the probe. The true n_world is the inverse transpose's or, where that does
@@ -57,7 +49,13 @@ std::vector<SymbolArrow> symbol_arrows(const ProbeInWorld& probe, const Scene& s
         add({.symbol = Symbol::VObject, .tangent = k}, from, probe.object.tangents[k].xyz, 0.6 * length, kTangentColor);
         add({.symbol = Symbol::VWorld, .tangent = k}, to, probe.tangents[k].xyz, 0.6 * length, kTangentColor);
     }
-    const auto& [naive, inverse_transpose, cofactor] = probe.normals;
+    const auto &naive = probe.normals[Rule::Naive], &inverse_transpose = probe.normals[Rule::InverseTranspose],
+               &cofactor = probe.normals[Rule::Cofactor];
+    if (!probe.affine) {
+        if (probe.truth) add({.symbol = Symbol::NWorld}, to, probe.truth->xyz, length, theme_colors(scene.theme).text);
+        if (naive) add({.symbol = Symbol::NWorld, .naive = true}, to, naive->xyz, length, kNaiveColor);
+        return arrows;
+    }
     if (naive) add({.symbol = Symbol::NWorld, .naive = true}, to, naive->xyz, length, kNaiveColor);
     if (inverse_transpose)
         add({.symbol = Symbol::NWorld}, to, inverse_transpose->xyz, length, kInverseTransposeColor);
@@ -79,87 +77,166 @@ void add_highlight(Pane& pane, const Highlight& what, double radius) {
     }
 }
 
-}  // namespace
+/// What is drawn at the probe, in lengths that the picture gives.
+class Marks {
+public:
+    Marks(Pane& pane, const Scene& scene, const ProbeInWorld& probe, const std::vector<ArrowKind>& kinds,
+          const FrameOptions& options)
+        : pane_(pane),
+          scene_(scene),
+          probe_(probe),
+          kinds_(kinds),
+          options_(options),
+          centre_(probe.point.xyz),
+          ink_(theme_colors(scene.theme).text),
+          paper_(theme_colors(scene.theme).background_top) {
+        const double pixel = options.pixel_scale * pane.view.world_per_pixel(probe.point);
+        length_ = std::max(4.6 * options.unit * scene.arrows.length, 70.0 * pixel);
+        radius_ = std::max(0.022 * length_, 1.7 * pixel);
+        line_ = std::max(0.007 * options.unit, 1.1 * pixel);
+        naive_ = unit_normal(Rule::Naive);
+        if (probe.truth && !probe.affine) by_no_rule_ = glm::normalize(probe.truth->xyz);
+        correct_ = by_no_rule_ ? by_no_rule_ : unit_normal(Rule::InverseTranspose);
+        // The naive normal's lean decides how the plane is turned, so that the error shows in profile.
+        plane_ = tangent_plane(probe, naive_.value_or(glm::dvec3(0.0)));
+    }
 
-void add_probe_marks(Pane& pane, const Scene& scene, const ProbeInWorld& probe, const FrameOptions& options) {
-    const std::vector<ArrowKind> kinds = shown_arrows(scene, pane.rule);
-    const auto shows = [&](ArrowKind kind) { return std::ranges::count(kinds, kind) > 0; };
-    const auto unit_normal = [&](Rule rule) -> std::optional<glm::dvec3> {
-        const auto& n = probe.normals[static_cast<std::size_t>(rule)];
-        if (!n || !shows(arrow_kind(rule)) || !(glm::length(n->xyz) > 0.0)) return std::nullopt;
-        return glm::normalize(n->xyz);
-    };
+    void symbols() {
+        pane_.symbols = symbol_arrows(probe_, scene_, length_);
+        if (options_.highlight) add_highlight(pane_, *options_.highlight, radius_);
+    }
 
-    const double pixel = options.pixel_scale * pane.view.world_per_pixel(probe.point);
-    const double length = std::max(4.6 * scene.arrows.length, 70.0 * pixel);
-    const double radius = std::max(0.022 * length, 1.7 * pixel);
-    const double line = std::max(0.007, 1.1 * pixel);
-    const glm::dvec3 centre = probe.point.xyz;
-
-    pane.symbols = symbol_arrows(probe, scene, length);
-    if (options.highlight) add_highlight(pane, *options.highlight, radius);
-
-    // The naive normal's lean decides how the plane is turned, so that the error shows in profile.
-    const std::optional<glm::dvec3> naive = unit_normal(Rule::Naive);
-    const std::optional<glm::dvec3> correct = unit_normal(Rule::InverseTranspose);
-    const auto plane = tangent_plane(probe, naive.value_or(glm::dvec3(0.0)));
-
-    if (scene.show.tangent_plane && plane) {
-        const double half = 0.62 * length;
+    void plane() {
+        if (!scene_.show.tangent_plane || !plane_) return;
+        const glm::dvec3 u = 0.62 * length_ * plane_->u, v = 0.62 * length_ * plane_->v;
         const glm::vec4 blue(kTangentColor, 1.0f);
         // Lifted a little, or it would flicker against the surface that it touches.
-        const double side = glm::dot(plane->normal, pane.view.eye().xyz - centre) < 0.0 ? -1.0 : 1.0;
-        const glm::dvec3 lifted = centre + side * 0.012 * plane->normal;
-        const bool pointed_at = options.highlight && options.highlight->symbol == Symbol::Zero;
-        add_patch(pane.translucent, lifted, half * plane->u, half * plane->v,
-                  pointed_at ? kGlow : glm::vec4(kTangentColor, 0.20f));
-        const std::array rim{lifted - half * plane->u - half * plane->v, lifted + half * plane->u - half * plane->v,
-                             lifted + half * plane->u + half * plane->v, lifted - half * plane->u + half * plane->v};
-        add_tube(pane.solids, rim, 0.7 * line, blue, true);
-        for (const Vector<World>& t : probe.tangents)
+        const double side = glm::dot(plane_->normal, pane_.view.eye().xyz - centre_) < 0.0 ? -1.0 : 1.0;
+        const glm::dvec3 lifted = centre_ + side * 0.012 * options_.unit * plane_->normal;
+        const bool pointed_at = options_.highlight && options_.highlight->symbol == Symbol::Zero;
+        add_patch(pane_.translucent, lifted, u, v, pointed_at ? kGlow : glm::vec4(kTangentColor, 0.20f));
+        const std::array rim{lifted - u - v, lifted + u - v, lifted + u + v, lifted - u + v};
+        add_tube(pane_.solids, rim, 0.7 * line_, blue, true);
+        for (const Vector<World>& t : probe_.tangents)
             if (glm::length(t.xyz) > 0.0)
-                add_arrow(pane.solids, centre, 0.6 * length * glm::normalize(t.xyz), 0.6 * radius, blue);
+                add_arrow(pane_.solids, centre_, 0.6 * length_ * glm::normalize(t.xyz), 0.6 * radius_, blue);
     }
-    if (!scene.show.probe) return;
 
-    if (shows(ArrowKind::Object) && scene.show.ghost)
-        add_arrow(pane.solids, probe.object.point.xyz, length * probe.object.normal.xyz,
-                  ArrowProportions::kOfObject * radius, glm::vec4(arrow_color(ArrowKind::Object, scene.theme), 1.0f));
+    void arrows() {
+        // Not as long as beside a large object far away.
+        const double there = options_.pixel_scale * pane_.view.world_per_pixel({probe_.object.point.xyz}),
+                     most = 2.0 * std::max(4.6 * scene_.arrows.length, 70.0 * there);
+        if (shows(ArrowKind::Object) && scene_.show.ghost)
+            add_arrow(pane_.solids, probe_.object.point.xyz, std::min(length_, most) * probe_.object.normal.xyz,
+                      ArrowProportions::kOfObject * radius_,
+                      glm::vec4(arrow_color(ArrowKind::Object, scene_.theme), 1.0f), ArrowLook::Hollow, paper_);
+        add_ball(pane_.solids, centre_, 1.8 * radius_, glm::vec4(ink_, 1.0f));
+        if (by_no_rule_) normal_by_no_rule(*by_no_rule_);
+        for (const Rule rule : kRules)
+            if (const auto n = unit_normal(rule)) arrow(rule, *n);
+    }
 
-    add_ball(pane.solids, centre, 1.8 * radius, glm::vec4(theme_colors(scene.theme).text, 1.0f));
-    for (const Rule rule : kRules) {
-        const auto n = unit_normal(rule);
-        if (!n) continue;
-        const glm::vec4 color(rule_color(rule), 1.0f);
-        // Where the cofactor agrees with the inverse transpose, let it stand inside as a shorter, thicker arrow.
-        const bool hidden = rule == Rule::Cofactor && correct && glm::dot(*correct, *n) > 0.0 && parallel(*correct, *n);
-        const double long_as = (hidden ? 0.7 : 1.0) * length, wide = (hidden ? 1.35 : 1.0) * radius;
-        add_arrow(pane.solids, centre, long_as * *n, wide, color);
-        if (rule == Rule::Cofactor)
-            add_arrow(pane.solids, centre,
-                      (long_as - ArrowProportions::kToSecondHead * ArrowProportions::kHeadLength * wide) * *n, wide,
-                      color);
-        if (!scene.show.tangent_plane || !plane) continue;
-        // A right angle gets its square; any other gets an arc down to the plane, on the side to which the arrow leans.
-        const glm::dvec3 up = glm::dot(plane->normal, *n) < 0.0 ? -plane->normal : plane->normal;
-        if (parallel(up, *n)) {
-            const double arm = 0.2 * length;
-            const glm::dvec3 along = -plane->u;
-            add_tube(pane.solids, std::array{centre + arm * along, centre + arm * along + arm * up, centre + arm * up},
-                     line, color);
-        } else {
-            const glm::dvec3 foot = glm::normalize(*n - glm::dot(*n, up) * up);
-            const std::vector<glm::dvec3> arc = arc_between(centre, foot, *n, 0.3 * length);
-            add_tube(pane.solids, arc, line, color);
-            if (!correct) add_angle_label(pane, arc, *angle_degrees(foot, *n), rule_color(rule));
+    void errors() {
+        if (!by_no_rule_) {
+            if (naive_ && correct_ && !parallel(*naive_, *correct_)) off_by(*naive_, *correct_, 0.78, ink_);
+            return;
+        }
+        std::vector<glm::dvec3> held;  // of rules that agree one tells enough
+        for (const Rule rule : kRules) {
+            const auto n = unit_normal(rule);
+            if (!n || parallel(*n, *correct_) ||
+                std::ranges::any_of(held, [&](const glm::dvec3& other) { return parallel(other, *n); }))
+                continue;
+            off_by(*n, *correct_, 0.78 - 0.1 * static_cast<double>(held.size()), ink_);
+            held.push_back(*n);
         }
     }
 
-    if (naive && correct && !parallel(*naive, *correct)) {
-        const std::vector<glm::dvec3> arc = arc_between(centre, *naive, *correct, 0.78 * length);
-        add_tube(pane.solids, arc, line, glm::vec4(theme_colors(scene.theme).text, 1.0f));
-        add_angle_label(pane, arc, *angle_degrees(*naive, *correct), theme_colors(scene.theme).text);
+private:
+    bool shows(ArrowKind kind) const { return std::ranges::count(kinds_, kind) > 0; }
+    std::optional<glm::dvec3> unit_normal(Rule rule) const {
+        const auto& n = probe_.normals[rule];
+        if (!n || !shows(arrow_kind(rule)) || !(glm::length(n->xyz) > 0.0)) return std::nullopt;
+        return glm::normalize(n->xyz);
     }
+
+    // Where M is not affine no rule gives the normal: it stands there by itself, and each rule's arrow is held against it.
+    void normal_by_no_rule(const glm::dvec3& n) {
+        add_arrow(pane_.solids, centre_, length_ * n, radius_, glm::vec4(ink_, 1.0f));
+        if (scene_.show.tangent_plane && plane_) right_angle(n, glm::vec4(ink_, 1.0f));
+    }
+
+    void arrow(Rule rule, const glm::dvec3& n) {
+        const glm::vec4 color(rule_color(rule), 1.0f);
+        // Where the cofactor agrees with the inverse transpose, let it stand inside as a shorter, thicker arrow.
+        const bool hidden =
+            rule == Rule::Cofactor && correct_ && glm::dot(*correct_, n) > 0.0 && parallel(*correct_, n);
+        add_arrow(pane_.solids, centre_, (hidden ? 0.7 : 1.0) * length_ * n, (hidden ? 1.35 : 1.0) * radius_, color,
+                  arrow_look(arrow_kind(rule)), paper_);
+        if (!scene_.show.tangent_plane || !plane_) return;
+        // A right angle gets its square; any other gets an arc down to the plane, on the side to which the arrow leans, or
+        // by itself one to where it should stand.
+        const glm::dvec3 up = glm::dot(plane_->normal, n) < 0.0 ? -plane_->normal : plane_->normal;
+        if (parallel(up, n)) return right_angle(up, color);
+        const bool wrong_plane = about_tangents(scene_.mistake) && scene_.rule == Rule::Naive;
+        if (correct_ || wrong_plane) {
+            const glm::dvec3 foot = glm::normalize(n - glm::dot(n, up) * up);
+            const std::vector<glm::dvec3> arc = arc_between(centre_, foot, n, 0.3 * length_);
+            add_tube(pane_.solids, arc, line_, color);
+            if (!correct_) name_angle(arc, in_degrees(foot, n) + " to the tangents", rule_color(rule));
+            return;
+        }
+        add_tube(pane_.solids, std::array{centre_, centre_ + 0.9 * length_ * up}, line_, glm::vec4(ink_, 1.0f));
+        off_by(up, n, 0.6, rule_color(rule));
+    }
+
+    void right_angle(const glm::dvec3& up, const glm::vec4& color) {
+        const glm::dvec3 from = centre_ - 0.2 * length_ * plane_->u, rise = 0.2 * length_ * up;
+        add_tube(pane_.solids, std::array{from, from + rise, centre_ + rise}, line_, color);
+    }
+
+    // The arc between two unit vectors, with its angle.
+    void off_by(const glm::dvec3& a, const glm::dvec3& b, double reach, const glm::vec3& color) {
+        const std::vector<glm::dvec3> arc = arc_between(centre_, a, b, reach * length_);
+        add_tube(pane_.solids, arc, line_, glm::vec4(color, 1.0f));
+        name_angle(arc, "off by " + in_degrees(a, b), color);
+    }
+
+    static std::string in_degrees(const glm::dvec3& a, const glm::dvec3& b) {
+        return with_decimals(*angle_degrees(a, b), 1) + "\u00B0";
+    }
+
+    void name_angle(const std::vector<glm::dvec3>& arc, std::string text, const glm::vec3& color) {
+        const glm::dvec3 at = pane_.view.pixel({arc[arc.size() / 2]});
+        if (at.z > 0.0)
+            pane_.labels.push_back(
+                {Label::Role::Angle, glm::vec2(pane_.rect.origin) + glm::vec2(at), std::move(text), color});
+    }
+
+    Pane& pane_;
+    const Scene& scene_;
+    const ProbeInWorld& probe_;
+    const std::vector<ArrowKind>& kinds_;
+    const FrameOptions& options_;
+    glm::dvec3 centre_;
+    glm::vec3 ink_, paper_;
+    double length_ = 0.0, radius_ = 0.0, line_ = 0.0;
+    /// Of unit length: the naive rule's and the right one, as far as they are shown; the latter is no rule's where M is not
+    /// affine.
+    std::optional<glm::dvec3> naive_, correct_, by_no_rule_;
+    std::optional<TangentPlane> plane_;
+};
+
+}  // namespace
+
+void add_probe_marks(Pane& pane, const Scene& scene, const ProbeInWorld& probe, const std::vector<ArrowKind>& kinds,
+                     const FrameOptions& options) {
+    Marks marks(pane, scene, probe, kinds, options);
+    marks.symbols();
+    marks.plane();
+    if (!scene.show.probe) return;
+    marks.arrows();
+    marks.errors();
 }
 
 }  // namespace normalscope

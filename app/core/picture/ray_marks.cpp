@@ -1,5 +1,6 @@
 #include "core/picture/ray_marks.h"
 
+#include "core/base/decimal.h"
 #include "core/picture/arcs.h"
 #include "core/picture/frame_options.h"
 #include "core/picture/label_room.h"
@@ -10,22 +11,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 namespace normalscope {
 
 namespace {
 
-constexpr double kNormal = 0.75;  ///< a unit normal's arrow, in world units
+constexpr double kNormal = 0.75;  ///< a unit normal's arrow, in the picture's units
 constexpr double kBeyond = 5.2;   ///< how far a ray that misses is drawn
 constexpr int kMostBeads = 40;
-
-std::string with_number(const char* format, double number) {
-    char text[60];
-    std::snprintf(text, sizeof text, format, number);
-    return text;
-}
 
 class Marks {
 public:
@@ -35,6 +29,7 @@ public:
           step_(std::min(scene.ray->step, ray.last_step)),
           colors_(theme_colors(scene.theme)),
           scale_(options.pixel_scale),
+          unit_(options.unit),
           room_(pane, options.pixel_scale) {
         pixel_ = scale_ * pane.view.world_per_pixel(ray.point_world.value_or(ray.world.origin));
     }
@@ -51,13 +46,13 @@ public:
     void world() {
         const glm::dvec3 o = ray_.world.origin.xyz, d = ray_.world.direction.xyz;
         const bool hit = step_ >= 2 && ray_.t;
-        half_line(o, d, ray_.t.value_or(kBeyond), hit, colors_.text, 1.0);
+        half_line(o, d, ray_.t.value_or(kBeyond * unit_), hit, colors_.text, 1.0);
         word(o, "o", colors_.text);
         word(o + d, "o + d", colors_.text);
         if (hit) {
             const glm::dvec3 p = ray_.point_world->xyz;
-            add_ball(pane_.solids, p, std::max(0.03, 4.0 * pixel_), glm::vec4(colors_.text, 1.0f));
-            word(p, with_number("t = %.3f", *ray_.t), colors_.text);
+            add_ball(pane_.solids, p, std::max(0.03 * unit_, 4.0 * pixel_), glm::vec4(colors_.text, 1.0f));
+            word(p, "t = " + with_decimals(*ray_.t, 3), colors_.text);
         }
     }
 
@@ -65,13 +60,13 @@ public:
         if (step_ < 1 || !ray_.object) return;
         const glm::dvec3 o = ray_.object->origin.xyz, d = ray_.object->direction.xyz;
         const bool hit = step_ >= 2 && ray_.t;
-        half_line(o, d, ray_.t.value_or(kBeyond), hit, colors_.ghost, 0.85);
+        half_line(o, d, ray_.t.value_or(kBeyond * unit_), hit, colors_.ghost, 0.85);
         word(o, "M\u207B\u00B9 o", colors_.ghost);
         word(o + d, "M\u207B\u00B9(o + d)", colors_.ghost);
         if (!hit) return;
         const glm::dvec3 p = o + *ray_.t * d;
         add_ball(pane_.solids, p, std::max(0.03, 4.0 * pixel_), glm::vec4(colors_.ghost, 1.0f));
-        word(p, step_ >= 3 ? with_number("p,  t = %.3f", *ray_.t) : with_number("t = %.3f", *ray_.t), colors_.ghost);
+        word(p, (step_ >= 3 ? "p,  t = " : "t = ") + with_decimals(*ray_.t, 3), colors_.ghost);
         if (step_ >= 4 && ray_.gradient) {
             const glm::dvec3 n = kNormal * glm::normalize(ray_.gradient->xyz);
             arrow(p, n, thick(1.3), colors_.ghost);
@@ -85,21 +80,21 @@ public:
         const glm::vec3 green = kInverseTransposeColor;
         // As long against ∇f's arrow as it is against ∇f, until it is normalised.
         const double ratio = glm::length(ray_.normal->xyz) / glm::length(ray_.gradient->xyz);
-        const double length = kNormal * (step_ == 5 ? std::clamp(ratio, 0.25, 2.5) : 1.0);
+        const double length = unit_ * kNormal * (step_ == 5 ? std::clamp(ratio, 0.25, 2.5) : 1.0);
         arrow(p, length * unit, thick(1.6), green);
         word(p + length * unit, step_ == 5 ? "(M\u207B\u00B9)\u1D40 " + std::string(ray_.f ? "\u2207f" : "n") : "n",
              green);
         if (step_ < 7) return;
         const glm::dvec3 l = ray_.toward_light.xyz;
-        arrow(p, 1.25 * kNormal * l, thick(1.3), colors_.text);
-        word(p + 1.25 * kNormal * l, "l, to the light", colors_.text);
+        arrow(p, 1.25 * unit_ * kNormal * l, thick(1.3), colors_.text);
+        word(p + 1.25 * unit_ * kNormal * l, "l, to the light", colors_.text);
         const double angle = angle_degrees(unit, l).value_or(0.0);
         if (angle < 1.0 || angle > 179.0) return;
-        const std::vector<glm::dvec3> arc = arc_between(p, unit, l, 0.6 * kNormal);
-        add_tube(pane_.solids, arc, std::max(0.007, 1.1 * pixel_), glm::vec4(colors_.text, 1.0f));
+        const std::vector<glm::dvec3> arc = arc_between(p, unit, l, 0.6 * unit_ * kNormal);
+        add_tube(pane_.solids, arc, std::max(0.007 * unit_, 1.1 * pixel_), glm::vec4(colors_.text, 1.0f));
         word(arc[arc.size() / 2],
-             with_number(*ray_.brightness < 0.0 ? "n\u00B7l = \u2212%.3f" : "n\u00B7l = %.3f",
-                         std::abs(*ray_.brightness)),
+             (*ray_.brightness < 0.0 ? "n\u00B7l = \u2212" : "n\u00B7l = ") +
+                 with_decimals(std::abs(*ray_.brightness), 3),
              colors_.text);
     }
 
@@ -114,12 +109,12 @@ private:
         add_arrow(pane_.solids, base, vector, radius, glm::vec4(color, 1.0f));
         room_.keep_clear(base, base + vector);
     }
-    double thick(double factor) const { return std::max(0.018 * factor, 1.7 * factor * pixel_); }
+    double thick(double factor) const { return std::max(0.018 * unit_ * factor, 1.7 * factor * pixel_); }
 
     // With a bead at each whole t: the two rays have them at the same t.
     void half_line(const glm::dvec3& o, const glm::dvec3& d, double end, bool hit, const glm::vec3& color,
                    double factor) {
-        const double radius = factor * std::max(0.010, 1.3 * pixel_);
+        const double radius = factor * std::max(0.010 * unit_, 1.3 * pixel_);
         const glm::vec4 ink(color, 1.0f);
         // Beyond the hit there is nothing to follow.
         const glm::dvec3 last = o + (hit ? end : std::max(end, 1.2)) * d;
@@ -144,7 +139,7 @@ private:
     int step_;
     ThemeColors colors_;
     float scale_;
-    double pixel_ = 0.0;
+    double unit_, pixel_ = 0.0;
     LabelRoom room_;
     std::vector<Word> words_;
 };

@@ -35,7 +35,7 @@ void add_singular_marks(Pane& pane, const Scene& scene, const SingularPoint& sin
     if (!scene.show.probe) return;
     const Point<World> at = world_from_object(singular.at);
     const double pixel = options.pixel_scale * pane.view.world_per_pixel(at);
-    const double length = 0.8 * std::max(4.6 * scene.arrows.length, 70.0 * pixel);
+    const double length = 0.8 * std::max(4.6 * options.unit * scene.arrows.length, 70.0 * pixel);
     const glm::vec3 ink = theme_colors(scene.theme).text, color = rule_color(pane.rule);
     LabelRoom room(pane, options.pixel_scale);
     std::optional<glm::dvec3> lent;  // the tip of the normal that is borrowed
@@ -53,14 +53,15 @@ void add_singular_marks(Pane& pane, const Scene& scene, const SingularPoint& sin
                 for (const glm::dvec3& corner : {glm::dvec3(0.0), curve[i], curve[i + 1]})
                     pane.translucent.push_back(
                         {glm::vec3(at.xyz + 0.9 * length * corner), glm::vec3(0.0f), glm::vec4(color, 0.22f)});
-        const double radius = std::max(0.010, 1.25 * pixel);
+        const double radius = std::max(0.010 * options.unit, 1.25 * pixel);
         for (const glm::dvec3& n : thinned(fan)) {
             add_arrow(pane.solids, at.xyz, length * n, radius, glm::vec4(color, 1.0f));
             room.keep_clear(at.xyz, at.xyz + length * n);
         }
         if (singular.lender) {
             const Point<World> from = world_from_object(singular.lender->point);
-            add_tube(pane.solids, std::array{at.xyz, from.xyz}, std::max(0.008, 1.2 * pixel), glm::vec4(ink, 1.0f));
+            add_tube(pane.solids, std::array{at.xyz, from.xyz}, std::max(0.008 * options.unit, 1.2 * pixel),
+                     glm::vec4(ink, 1.0f));
             add_ball(pane.solids, from.xyz, 3.6 * pixel, glm::vec4(ink, 1.0f));
             if (const glm::dvec3 n = (*map)(singular.lender->normal).xyz; glm::length(n) > 0.0) {
                 // Longer than the fan's, which it would be lost among.

@@ -48,7 +48,8 @@ SiteClusters site_clusters(std::span<const Site> sites) {
     const double scale = side > 0.0 ? kCells / side : 0.0;
     const auto cell = [&](const Site& site) {
         const glm::ivec3 c = glm::min(glm::ivec3(scale * (site.point.xyz - low)), kCells - 1);
-        return static_cast<std::size_t>((c.z * kCells + c.y) * kCells + c.x);
+        const int index = (c.z * kCells + c.y) * kCells + c.x;
+        return static_cast<std::size_t>(index);
     };
     std::vector<std::size_t> ends(std::size_t{kCells} * kCells * kCells + 1, 0);
     for (const Site& site : sites) ++ends[cell(site) + 1];

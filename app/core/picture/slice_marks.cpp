@@ -1,7 +1,9 @@
 #include "core/picture/slice_marks.h"
 
+#include "core/base/decimal.h"
 #include "core/picture/frame_options.h"
 #include "core/picture/label_room.h"
+#include "core/picture/picture_scale.h"
 #include "core/picture/solids.h"
 
 #include <glm/common.hpp>
@@ -10,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,17 +35,13 @@ void add_ribbon(Solids& solids, const glm::dvec3& a, const glm::dvec3& b, const 
                 const glm::vec4& color) {
     const glm::dvec3 along = b - a;
     const double length = glm::length(along);
-    if (!(length > 1e-12)) return;
+    if (!(length > 0.0)) return;
     // A little too long at both ends: no gaps between the pieces of a bent line.
     const glm::dvec3 u = (0.5 + 0.6 * half / length) * along, v = half * glm::cross(normal, along / length);
     add_patch(solids, 0.5 * (a + b), u, v, color);
 }
 
-std::string level_text(double c) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.6g", std::abs(c));
-    return (c < 0.0 ? "\u2212" : "") + std::string(text);
-}
+std::string level_text(double c) { return (c < 0.0 ? "\u2212" : "") + with_digits(std::abs(c), 6); }
 
 class Marks {
 public:
@@ -53,14 +50,18 @@ public:
           sets_(sets),
           theme_(scene.theme),
           scale_(options.pixel_scale),
+          unit_(options.unit),
           room_(pane, options.pixel_scale) {}
 
     // False where M leaves no plane of it.
     bool stand(const Transform<World, Object>& m) {
         m_ = m;
-        const glm::dvec3 n = glm::cross(m(Vector<Object>{sets_.across[0]}).xyz, m(Vector<Object>{sets_.across[1]}).xyz);
-        if (!(glm::length(n) > 1e-9)) return false;
+        const Point<Object> middle{sets_.middle};
+        const glm::dvec3 u = m(middle, Vector<Object>{sets_.across[0]}).xyz,
+                         v = m(middle, Vector<Object>{sets_.across[1]}).xyz, n = glm::cross(u, v);
+        if (!m.reaches(middle) || !(glm::length(n) > 1e-9 * unit_ * unit_)) return false;
         normal_ = glm::normalize(n);
+        stretch_ = picture_unit(std::max(glm::length(u), glm::length(v)));
         if (glm::dot(normal_, pane_.view.eye().xyz - at(sets_.middle)) < 0.0) normal_ = -normal_;
         pixel_ = scale_ * pane_.view.world_per_pixel({at(sets_.middle)});
         return true;
@@ -87,7 +88,7 @@ public:
             const bool zero = line.level == 0;
             const glm::vec3 quiet = glm::mix(band_color(line.level, theme_), text, 0.45f);
             // Lifted off the bands, those of zero above the others.
-            const glm::dvec3 lifted = (zero ? 0.006 : 0.004) * normal_;
+            const glm::dvec3 lifted = (zero ? 0.006 : 0.004) * unit_ * normal_;
             const double half = grey ? (zero ? 0.9 : 0.45) : (zero ? 1.9 : 0.6);
             add_ribbon(pane_.solids, at(line.ends[0]) + lifted, at(line.ends[1]) + lifted, normal_, half * pixel_,
                        glm::vec4(grey.value_or(zero ? text : quiet), 1.0f));
@@ -101,7 +102,7 @@ public:
         std::vector<double> sorted = lengths;
         const auto high = sorted.begin() + static_cast<std::ptrdiff_t>(9 * sorted.size() / 10);
         std::nth_element(sorted.begin(), high, sorted.end());
-        const double longest = 0.30 * sets_.reach;
+        const double longest = 0.30 * stretch_ * sets_.reach;
         for (std::size_t i = 0; i < lengths.size(); ++i) {
             if (!(lengths[i] > 0.0)) continue;
             // The root: what is ten times as steep is still longer, and the shorter one still an arrow.
@@ -109,7 +110,7 @@ public:
             const glm::dvec3 base = at(sets_.gradients[i].base.xyz),
                              arrow = (shrink * length / lengths[i]) * map(sets_.gradients[i].gradient).xyz;
             room_.keep_clear(base, base + arrow);
-            add_arrow(pane_.solids, base, arrow, std::min(0.07 * length, std::max(0.013, 1.9 * pixel_)),
+            add_arrow(pane_.solids, base, arrow, std::min(0.07 * length, std::max(0.013 * unit_, 1.9 * pixel_)),
                       glm::vec4(color, 1.0f));
         }
     }
@@ -161,7 +162,7 @@ private:
     Pane& pane_;
     const LevelSets& sets_;
     Theme theme_;
-    double scale_, pixel_ = 0.0;
+    double scale_, unit_, stretch_ = 1.0, pixel_ = 0.0;
     Transform<World, Object> m_;
     glm::dvec3 normal_{0.0};
     LabelRoom room_;

@@ -67,23 +67,47 @@ void add_disc(Solids& solids, const glm::dvec3& centre, double radius, const glm
 
 void add_arrow(Solids& solids, const glm::dvec3& base, const glm::dvec3& vector, double radius,
                const glm::vec4& color) {
+    add_arrow(solids, base, vector, radius, color, ArrowLook::Plain, {});
+}
+
+void add_arrow(Solids& solids, const glm::dvec3& base, const glm::dvec3& vector, double full_radius,
+               const glm::vec4& color, ArrowLook look, const glm::vec3& paper) {
     const double length = glm::length(vector);
     if (!(length > 0.0)) return;
+    const double radius = (look == ArrowLook::Dashed ? ArrowProportions::kDashedWidth : 1.0f) * full_radius;
     const glm::dvec3 axis = vector / length;
     const double head =
         std::min<double>(ArrowProportions::kHeadLength * radius, ArrowProportions::kLongestHead * length);
     const double head_radius = ArrowProportions::kHeadRadius * radius;
     const glm::dvec3 neck = base + (length - head) * axis;
-    add_disc(solids, base, radius, -axis, color);
-    add_band(solids, base, radius, neck, radius, axis, 0.0, color);
-    add_disc(solids, neck, head_radius, -axis, color);
-    add_band(solids, neck, head_radius, base + vector, 0.0, axis, head_radius / head, color);
+    const int pieces = look == ArrowLook::Dashed ? ArrowProportions::kDashes : 1;
+    for (int piece = 0; piece < pieces; ++piece) {
+        const double each = (length - head) / (2 * pieces - 1);
+        const glm::dvec3 from = base + 2.0 * piece * each * axis, to = piece + 1 == pieces ? neck : from + each * axis;
+        add_disc(solids, from, radius, -axis, color);
+        add_band(solids, from, radius, to, radius, axis, 0.0, color);
+        if (piece + 1 < pieces) add_disc(solids, to, radius, axis, color);
+    }
+    const auto add_head = [&](double share, const glm::vec4& of) {
+        add_disc(solids, neck, share * head_radius, -axis, of);
+        add_band(solids, neck, share * head_radius, neck + share * head * axis, 0.0, axis, head_radius / head, of);
+    };
+    const std::size_t first = solids.size();
+    add_head(1.0, color);
+    if (look == ArrowLook::Hollow) {
+        // Turned inside out, the head shows its far side only: a rim about a smaller one of paper.
+        for (std::size_t i = first; i < solids.size(); i += 3) std::swap(solids[i], solids[i + 1]);
+        add_head(ArrowProportions::kHollow, glm::vec4(paper, 1.0f));
+    }
+    if (look != ArrowLook::TwoHeads) return;
+    const double second = length - ArrowProportions::kToSecondHead * ArrowProportions::kHeadLength * radius;
+    add_arrow(solids, base, second * axis, radius, color);
 }
 
 void add_tube(Solids& solids, std::span<const glm::dvec3> points, double radius, const glm::vec4& color, bool closed) {
     std::vector<glm::dvec3> line;
     for (const glm::dvec3& p : points)
-        if (line.empty() || glm::length(p - line.back()) >= 1e-9) line.push_back(p);
+        if (line.empty() || glm::length(p - line.back()) >= 1e-7 * radius) line.push_back(p);
     if (closed && line.size() > 1) line.push_back(line.front());
     if (line.size() < 2) return;
     const std::size_t pieces = line.size() - 1;

@@ -18,10 +18,16 @@ struct ArrowProportions {
     static constexpr float kLongestHead = 0.5f;
     static constexpr float kOfObject = 0.65f;     ///< normals in object space are thinner: a shape of their own
     static constexpr float kToSecondHead = 0.9f;  ///< in heads, from tip to tip
+    static constexpr int kDashes = 3;             ///< with gaps as long as they are
+    static constexpr float kDashedWidth = 0.94f;  ///< of another's, which hides it where both lie in one place
+    static constexpr float kHollow = 0.62f;       ///< of a hollow head, seen from the side
 };
 
 /// An arrow from `base` along `vector`; nothing where the vector is zero.
 void add_arrow(Solids& solids, const glm::dvec3& base, const glm::dvec3& vector, double radius, const glm::vec4& color);
+/// The same in the shape of its kind; a hollow head is `paper` within.
+void add_arrow(Solids& solids, const glm::dvec3& base, const glm::dvec3& vector, double radius, const glm::vec4& color,
+               ArrowLook look, const glm::vec3& paper);
 /// A round line through the points.
 void add_tube(Solids& solids, std::span<const glm::dvec3> points, double radius, const glm::vec4& color,
               bool closed = false);

@@ -3,6 +3,7 @@
 #include "core/base/html.h"
 #include "core/picture/contour.h"
 #include "core/picture/solids.h"
+#include "core/picture/svg_words.h"
 #include "core/surface/surface_probe.h"
 
 #include <glm/common.hpp>
@@ -10,24 +11,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 namespace normalscope {
 
 namespace {
-
-std::string number(double v) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.2f", v);
-    return text;
-}
-std::string hex(const glm::vec3& color) {
-    char text[16];
-    const auto byte = [](float v) { return std::lround(255.0f * std::clamp(v, 0.0f, 1.0f)); };
-    std::snprintf(text, sizeof text, "#%02lx%02lx%02lx", byte(color.r), byte(color.g), byte(color.b));
-    return text;
-}
 
 /// One pane, written from back to front.
 class PaneWriter {
@@ -48,8 +36,7 @@ public:
         solids(pane_.solids);
         for (const SurfaceDraw& draw : pane_.surfaces)
             if (draw.color.a < 1.0f) ghost(draw);
-        for (const Label& l : pane_.labels) label(l);
-        return std::move(out_);
+        return out_ + svg_labels(pane_, colors_, scale_);
     }
 
 private:
@@ -76,17 +63,22 @@ private:
     struct Projected {
         std::vector<glm::dvec3> world;
         std::vector<glm::dvec2> pixels;
+        std::vector<bool> drawn;
         std::vector<bool> front;
+
+        bool draws(const glm::uvec3& t) const { return drawn[t.x] && drawn[t.y] && drawn[t.z]; }
     };
     Projected projected(const glm::mat4& world_from_object) const {
         const Mesh& mesh = frame_.surface->mesh;
         const glm::dmat4 m(world_from_object);
         Projected p;
         for (const glm::dvec3& position : mesh.positions) {
-            p.world.emplace_back(m * glm::dvec4(position, 1.0));
+            const glm::dvec4 world = m * glm::dvec4(position, 1.0);
+            p.drawn.push_back(world.w > 0.0);  // what has no image is not
+            p.world.push_back(glm::dvec3(world) / world.w);
             p.pixels.push_back(at(p.world.back()));
         }
-        const double sense = glm::determinant(glm::dmat3(m)) < 0.0 ? 1.0 : -1.0;  // y goes down in pictures
+        const double sense = glm::determinant(m) < 0.0 ? 1.0 : -1.0;  // y goes down in pictures
         for (const glm::uvec3& t : mesh.triangles)
             p.front.push_back(sense * turn({p.pixels[t.x], p.pixels[t.y], p.pixels[t.z]}) > 0.0);
         return p;
@@ -99,9 +91,14 @@ private:
             std::vector<PlaneTriangle> triangles;
             for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
                 const glm::uvec3& t = mesh.triangles[i];
-                if (p.front[i] == front) triangles.push_back({p.pixels[t.x], p.pixels[t.y], p.pixels[t.z]});
+                if (p.front[i] == front && p.draws(t))
+                    triangles.push_back({p.pixels[t.x], p.pixels[t.y], p.pixels[t.z]});
             }
-            for (Loop& loop : contours(triangles)) loops.push_back(std::move(loop));
+            for (Loop& loop : contours(triangles)) {
+                // The other way round: where front and back lie over each other, neither shall cut a hole into the other.
+                if (!front) std::ranges::reverse(loop);
+                loops.push_back(std::move(loop));
+            }
         }
         return loops;
     }
@@ -110,19 +107,19 @@ private:
         if (!data.empty()) out_ += "  <path " + attributes + " d=\"" + data + "\"/>\n";
     }
     std::string stroke(const glm::vec3& color, double width) const {
-        return "fill=\"none\" stroke=\"" + hex(color) + "\" stroke-width=\"" + number(width * scale_) +
+        return "fill=\"none\" stroke=\"" + svg_color(color) + "\" stroke-width=\"" + svg_number(width * scale_) +
                "\" stroke-linecap=\"round\" stroke-linejoin=\"round\"";
     }
 
     void surface(const SurfaceDraw& draw) {
         const Projected p = projected(draw.world_from_object);
-        path(path_data(outline(p)), "fill=\"" + hex(glm::vec3(draw.color)) + "\" fill-rule=\"nonzero\"");
+        path(path_data(outline(p)), "fill=\"" + svg_color(glm::vec3(draw.color)) + "\" fill-rule=\"nonzero\"");
         path(lines_of(p), stroke(colors_.text, 1.2));
     }
     void ghost(const SurfaceDraw& draw) {
-        path(
-            path_data(outline(projected(draw.world_from_object))),
-            stroke(colors_.ghost, 1.2) + " stroke-dasharray=\"" + number(5 * scale_) + " " + number(4 * scale_) + "\"");
+        path(path_data(outline(projected(draw.world_from_object))),
+             stroke(colors_.ghost, 1.2) + " stroke-dasharray=\"" + svg_number(5 * scale_) + " " +
+                 svg_number(4 * scale_) + "\"");
     }
 
     // Outline and sharp edges, as far as nothing stands before them.
@@ -141,6 +138,7 @@ private:
         std::map<std::pair<Key, Key>, Edge> edges;  // by place: a cube's faces have vertices of their own
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
             const glm::uvec3& t = mesh.triangles[i];
+            if (!p.draws(t)) continue;
             const glm::dvec3 n = glm::cross(p.world[t.y] - p.world[t.x], p.world[t.z] - p.world[t.x]);
             if (!(glm::length(n) > 0.0)) continue;
             for (int k = 0; k < 3; ++k) {
@@ -162,10 +160,10 @@ private:
             const bool contour = edge.count == 1 || (edge.fronts > 0 && edge.fronts < edge.count);
             if (!contour && !(edge.sharp && edge.fronts > 0)) continue;
             const glm::dvec3 middle = 0.5 * (p.world[edge.a] + p.world[edge.b]);
-            const auto outward = m_(Normal<Object>{mesh.normals[edge.a]});
+            const auto outward = m_(Point<Object>{mesh.positions[edge.a]}, Normal<Object>{mesh.normals[edge.a]});
             const glm::dvec3 off =
                 outward && glm::length(outward->xyz) > 0.0 ? lift * glm::normalize(outward->xyz) : glm::dvec3(0.0);
-            if (!hidden(middle + off)) data += path_data({p.pixels[edge.a], p.pixels[edge.b]}, false);
+            if (!hidden(middle + off)) data += open_path_data({p.pixels[edge.a], p.pixels[edge.b]});
         }
         return data;
     }
@@ -177,20 +175,21 @@ private:
         const glm::dmat4 m(draw.world_from_object);
         for (const Site& site : frame_.surface->arrows) {
             const glm::dvec3 n = draw.normals(site.normal).xyz;
-            if (!(glm::length(n) > 0.0)) continue;
-            const glm::dvec3 base(m * glm::dvec4(site.point.xyz, 1.0));
-            arrow(base, static_cast<double>(draw.length) * glm::normalize(n), draw.two_heads, shafts, heads);
+            const glm::dvec4 base = m * glm::dvec4(site.point.xyz, 1.0);
+            if (!(glm::length(n) > 0.0) || !(base.w > 0.0)) continue;
+            arrow(glm::dvec3(base) / base.w, static_cast<double>(draw.length) * glm::normalize(n),
+                  draw.look == ArrowLook::TwoHeads, shafts, heads);
         }
         const ArrowKind kind = kind_of(draw.color);
         std::string line = stroke(draw.color, kind == ArrowKind::Object ? 1.2 : 1.8);
         if (kind == ArrowKind::Naive)
-            line += " stroke-dasharray=\"" + number(3.5 * scale_) + " " + number(2.5 * scale_) + "\"";
+            line += " stroke-dasharray=\"" + svg_number(3.5 * scale_) + " " + svg_number(2.5 * scale_) + "\"";
         path(shafts, line);
         if (kind == ArrowKind::Cofactor) path(shafts, stroke(colors_.background_top, 0.6));  // a double line
         if (kind == ArrowKind::Object)
             path(heads, stroke(draw.color, 1.2));
         else
-            path(heads, "fill=\"" + hex(draw.color) + "\"");
+            path(heads, "fill=\"" + svg_color(draw.color) + "\"");
     }
     ArrowKind kind_of(const glm::vec3& color) const {
         for (const ArrowKind kind : kArrowKinds)
@@ -207,10 +206,10 @@ private:
         const double head = std::min(7.0 * scale_, 0.6 * length), half = 3.0 * scale_;
         if (!hidden(base + vector)) {
             const glm::dvec2 neck = to - head * along;
-            heads += path_data({neck - half * across, to, neck + half * across}, true);
+            heads += closed_path_data({neck - half * across, to, neck + half * across});
             const glm::dvec2 back = static_cast<double>(ArrowProportions::kToSecondHead) * head * along;
             if (two_heads)
-                heads += path_data({neck - back - half * across, to - back, neck - back + half * across}, true);
+                heads += closed_path_data({neck - back - half * across, to - back, neck - back + half * across});
         }
         // The shaft in parts, each of which is seen or not.
         int first = -1;
@@ -221,7 +220,7 @@ private:
             const auto part = [&](int k) {
                 return from + std::min(k / double{kParts} * length, length - head) * along;
             };
-            shafts += path_data({part(first), part(i)}, false);
+            shafts += open_path_data({part(first), part(i)});
             first = -1;
         }
     }
@@ -248,53 +247,10 @@ private:
                 }
                 triangles.push_back(t);
             }
-            std::string fill = "fill=\"" + hex(glm::vec3(color)) + "\"";
-            if (color.a < 1.0f) fill += " fill-opacity=\"" + number(color.a) + "\"";
+            std::string fill = "fill=\"" + svg_color(glm::vec3(color)) + "\"";
+            if (color.a < 1.0f) fill += " fill-opacity=\"" + svg_number(color.a) + "\"";
             path(path_data(contours(triangles)), fill);
         }
-    }
-
-    // ---- words -------------------------------------------------------------------------------------------------
-
-    void words(glm::dvec2 where, const std::string& text, double size, const std::string& more) {
-        out_ += "  <text x=\"" + number(where.x) + "\" y=\"" + number(where.y) + "\" font-size=\"" +
-                number(size * scale_) + "\" " + more + ">" + html_text(text) + "</text>\n";
-    }
-    void label(const Label& label) {
-        const glm::dvec2 where(label.pixel);
-        if (label.role == Label::Role::Title) {
-            const double y = pane_.rect.origin.y + 34.0 * scale_, width = 0.58 * 20.0 * scale_ * letters(label.text);
-            out_ += "  <rect x=\"" + number(where.x - width / 2 - 16 * scale_) + "\" y=\"" + number(y - 21 * scale_) +
-                    "\" width=\"" + number(width + 32 * scale_) + "\" height=\"" + number(32 * scale_) + "\" rx=\"" +
-                    number(16 * scale_) + "\" fill=\"" + hex(label.color) + "\"/>\n";
-            words({where.x, y + 2.5 * scale_}, label.text, 20.0,
-                  "font-weight=\"600\" text-anchor=\"middle\" fill=\"#ffffff\" xml:space=\"preserve\"");
-            return;
-        }
-        if (label.role == Label::Role::Side || label.role == Label::Role::Level) {
-            const double size = label.role == Label::Role::Side ? 15.0 : 13.0;
-            const glm::dvec2 half = scale_ * glm::dvec2(0.29 * size * letters(label.text) + 6.0, 0.7 * size);
-            out_ += "  <rect x=\"" + number(where.x - half.x) + "\" y=\"" + number(where.y - half.y) + "\" width=\"" +
-                    number(2.0 * half.x) + "\" height=\"" + number(2.0 * half.y) + "\" rx=\"" + number(4 * scale_) +
-                    "\" fill=\"" + hex(colors_.text_shadow) + "\" fill-opacity=\"0.8\"/>\n";
-            words(
-                where + glm::dvec2(0, 0.35 * size * scale_), label.text, size,
-                "font-weight=\"600\" text-anchor=\"middle\" xml:space=\"preserve\" fill=\"" + hex(label.color) + "\"");
-            return;
-        }
-        const std::string halo = "stroke=\"" + hex(colors_.text_shadow) + "\" stroke-width=\"" + number(3 * scale_) +
-                                 "\" stroke-linejoin=\"round\" paint-order=\"stroke\" fill=\"" + hex(label.color) +
-                                 "\"";
-        if (label.role == Label::Role::Axis)
-            words(where + glm::dvec2(0, 5 * scale_), label.text, 15.0,
-                  "font-weight=\"600\" text-anchor=\"middle\" " + halo);
-        else
-            words(where + glm::dvec2(8 * scale_, 5 * scale_), label.text, label.role == Label::Role::Note ? 13.0 : 15.0,
-                  "font-weight=\"600\" " + halo);
-    }
-    static double letters(const std::string& utf8) {
-        return static_cast<double>(
-            std::ranges::count_if(utf8, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
     }
 
     const Scene& scene_;
@@ -306,34 +262,6 @@ private:
     std::string out_;
 };
 
-std::string legend(const Frame& frame, double scale) {
-    std::string out;
-    const ThemeColors colors = theme_colors(frame.theme);
-    double y =
-        frame.rect.origin.y + frame.rect.size.y - (14.0 + 22.0 * static_cast<double>(frame.legend.size())) * scale;
-    const double x = frame.rect.origin.x + 20.0 * scale;
-    for (const LegendEntry& entry : frame.legend) {
-        y += 22.0 * scale;
-        const std::string color = hex(entry.color);
-        const double middle = y - 5.0 * scale, tip = x + 34.0 * scale;
-        const std::string dash = entry.kind == ArrowKind::Naive
-                                     ? " stroke-dasharray=\"" + number(4 * scale) + " " + number(3 * scale) + "\""
-                                     : "";
-        out +=
-            "<path fill=\"none\" stroke=\"" + color + "\" stroke-width=\"" +
-            number((entry.kind == ArrowKind::Object ? 1.2 : 2.4) * scale) + "\"" + dash + " d=\"" +
-            path_data({{x, middle}, {tip - 9 * scale, middle}}, false) + "\"/>\n<path " +
-            (entry.kind == ArrowKind::Object ? "fill=\"none\" stroke=\"" + color + "\"" : "fill=\"" + color + "\"") +
-            " d=\"" +
-            path_data({{tip - 9 * scale, middle - 4.5 * scale}, {tip, middle}, {tip - 9 * scale, middle + 4.5 * scale}},
-                      true) +
-            "\"/>\n<text x=\"" + number(tip + 9 * scale) + "\" y=\"" + number(y) + "\" font-size=\"" +
-            number(14 * scale) + "\" fill=\"" + hex(colors.text) + "\" xml:space=\"preserve\">" +
-            html_text(entry.text) + "</text>\n";
-    }
-    return out;
-}
-
 }  // namespace
 
 std::string svg_text(const Scene& scene, const Frame& frame, double pixel_scale, Ground ground) {
@@ -344,7 +272,7 @@ std::string svg_text(const Scene& scene, const Frame& frame, double pixel_scale,
     if (!scene.about.empty()) out += "<title>" + html_text(scene.about) + "</title>\n";
     if (ground != Ground::Transparent) {
         const glm::vec3 color = ground == Ground::White ? glm::vec3(1.0f) : theme_colors(frame.theme).background_top;
-        out += "<rect width=\"100%\" height=\"100%\" fill=\"" + hex(color) + "\"/>\n";
+        out += "<rect width=\"100%\" height=\"100%\" fill=\"" + svg_color(color) + "\"/>\n";
     }
     for (std::size_t i = 0; i < frame.panes.size(); ++i) {
         const Pane& pane = frame.panes[i];
@@ -354,7 +282,7 @@ std::string svg_text(const Scene& scene, const Frame& frame, double pixel_scale,
                std::to_string(pane.rect.size.y) + "\"/></clipPath>\n<g clip-path=\"url(#" + name + ")\">\n" +
                PaneWriter(scene, frame, pane, pixel_scale).text() + "</g>\n";
     }
-    return out + legend(frame, pixel_scale) + "</svg>\n";
+    return out + svg_legend(frame, pixel_scale) + "</svg>\n";
 }
 
 }  // namespace normalscope

@@ -79,14 +79,12 @@ std::optional<NormalMap> normal_map(const Scene& scene, const Transform<World, O
     return map;
 }
 
-glm::dmat3 tangent_matrix(const Scene& scene, const Transform<World, Object>& world_from_object) {
+std::optional<glm::dmat3> mistaken_tangents(const Scene& scene, const Transform<World, Object>& world_from_object) {
     const NormalMatrices& matrices = world_from_object.normal_matrices_by_rule();
-    if (scene.rule == Rule::Naive) {
-        if (scene.mistake == Mistake::TangentsByInverseTranspose && matrices.inverse_transpose)
-            return *matrices.inverse_transpose;
-        if (scene.mistake == Mistake::TangentsByCofactor) return matrices.cofactor;
-    }
-    return matrices.naive;
+    if (scene.rule != Rule::Naive) return std::nullopt;
+    if (scene.mistake == Mistake::TangentsByInverseTranspose) return matrices.inverse_transpose;
+    if (scene.mistake == Mistake::TangentsByCofactor) return matrices.cofactor;
+    return std::nullopt;
 }
 
 MistakeText text(Mistake mistake) {

@@ -13,8 +13,8 @@ namespace normalscope {
 /// the scene's mistake.
 std::optional<NormalMap> normal_map(const Scene& scene, const Transform<World, Object>& world_from_object, Rule rule);
 
-/// The 3×3 matrix that the scene sends tangents through: M3, unless its mistake is about tangents and is being shown.
-glm::dmat3 tangent_matrix(const Scene& scene, const Transform<World, Object>& world_from_object);
+/// The 3×3 matrix that the scene sends tangents through in place of M, where its mistake is about tangents and is shown.
+std::optional<glm::dmat3> mistaken_tangents(const Scene& scene, const Transform<World, Object>& world_from_object);
 
 /// A mistake's short title, what it looks like as a formula, and why it is one: for labels and for the panel.
 struct MistakeText {

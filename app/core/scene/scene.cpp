@@ -37,10 +37,15 @@ Transform<World, Object> world_from_object(const Scene& scene) {
     for (int c = 0; c < 4; ++c)
         for (int r = 0; r < 4; ++r)
             if (!(std::abs(m[c][r]) < 1e60))
-                throw InputError("stack: the product of its " + std::to_string(scene.stack.size()) +
-                                 " entries is too large for a number; use smaller scales or fewer entries");
+                throw InputError("stack",
+                                 "the product of its " + std::to_string(scene.stack.size()) +
+                                     " entries is too large for a number; use smaller scales or fewer entries");
     int rank = 3;  // a product has at most the rank of each factor
-    for (const StackEntry& entry : stack) rank = std::min(rank, normal_matrices(glm::dmat3(matrix(entry))).rank);
+    for (const StackEntry& entry : stack) {
+        const glm::dmat4 a = matrix(entry);
+        if (!is_affine(a)) return Transform<World, Object>(m);  // of an M3 that is not all of its map that is not true
+        rank = std::min(rank, normal_matrices(glm::dmat3(a)).rank);
+    }
     return Transform<World, Object>(m, rank);
 }
 

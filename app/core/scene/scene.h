@@ -2,6 +2,7 @@
 
 #include "core/formula/graph.h"
 #include "core/math/camera.h"
+#include "core/math/direction.h"
 #include "core/math/normal_rules.h"
 #include "core/math/stack.h"
 
@@ -17,7 +18,7 @@ namespace normalscope {
 enum class Shape { Sphere, Cube, Cylinder, Cone, Torus, Plane, Dodecahedron };
 enum class ViewMode { Single, Split, Overlay };
 enum class ArrowPlacement { Vertices, Faces };
-enum class SurfaceColor { Lit, Error };
+enum class SurfaceColor { Lit, Error, Normals };
 /// The contrast themes are for lecture halls and low vision: black on white, or white on black.
 enum class Theme { Light, Dark, LightContrast, DarkContrast };
 constexpr bool is_dark(Theme theme) { return theme == Theme::Dark || theme == Theme::DarkContrast; }
@@ -86,13 +87,6 @@ enum class Mistake {
     TangentsByCofactor,
 };
 
-/// Where the light comes from, in degrees as the camera's angles; it does not move with the camera.
-struct Light {
-    double azimuth = -25.0;
-    double elevation = 50.0;
-    friend bool operator==(const Light&, const Light&) = default;
-};
-
 /// What is drawn besides the object.
 struct Shown {
     bool ghost = true;          ///< the untransformed object
@@ -111,13 +105,6 @@ struct Slice {
     double at = 0.0;       ///< where it cuts the axis, in object space
     bool gradient = true;  ///< with ∇f as arrows that stand on it
     friend bool operator==(const Slice&, const Slice&) = default;
-};
-
-/// Where ∇f = 0 there is no normal, and a neighbour on the surface lends its own: the one nearest this direction.
-struct Borrow {
-    double azimuth = 0.0;  ///< degrees, as the camera's angles, in object space
-    double elevation = 0.0;
-    friend bool operator==(const Borrow&, const Borrow&) = default;
 };
 
 /// A ray to be followed from the world to the object's space and back.
@@ -141,7 +128,8 @@ struct Scene {
     ViewMode view = ViewMode::Overlay;
     Arrows arrows;
     Camera camera;
-    Light light;
+    /// Where the light comes from; it does not move with the camera.
+    Direction<World> light{-25.0, 50.0};
     SurfaceColor color = SurfaceColor::Lit;
     bool renormalise = true;  ///< make interpolated normals unit again at each pixel
     bool cull = false;        ///< leave out triangles whose winding shows their back, as the picture has it
@@ -150,7 +138,8 @@ struct Scene {
     /// A point in object space; the probe is the surface's point nearest to it. Empty: what the camera sees nearest
     /// the middle of the picture.
     std::optional<Point<Object>> probe;
-    std::optional<Borrow> borrow;
+    /// Where ∇f = 0 there is no normal, and a neighbour on the surface lends its own: the one nearest this direction.
+    std::optional<Direction<Object>> borrow;
     std::optional<Slice> slice;
     std::optional<AimedRay> ray;
 

@@ -2,6 +2,7 @@
 
 // Every key of a scene, declared once: reading, writing, `--set` and the list of known keys all follow from here.
 
+#include "core/base/range.h"
 #include "core/scene/scene.h"
 
 #include <array>
@@ -11,10 +12,6 @@
 
 namespace normalscope {
 
-/// The values that a number may take.
-struct Range {
-    double low, high;
-};
 inline constexpr Range kCoordinate{-1e9, 1e9};
 inline constexpr Range kDegrees{-36000.0, 36000.0};
 inline constexpr std::size_t kMostStackEntries = 200;
@@ -40,7 +37,8 @@ inline constexpr std::array kArrowKindNames{EnumName<ArrowKind>{ArrowKind::Objec
                                             EnumName<ArrowKind>{ArrowKind::InverseTranspose, "inverse-transpose"},
                                             EnumName<ArrowKind>{ArrowKind::Cofactor, "cofactor"}};
 inline constexpr std::array kColorNames{EnumName<SurfaceColor>{SurfaceColor::Lit, "lit"},
-                                        EnumName<SurfaceColor>{SurfaceColor::Error, "error"}};
+                                        EnumName<SurfaceColor>{SurfaceColor::Error, "error"},
+                                        EnumName<SurfaceColor>{SurfaceColor::Normals, "normals"}};
 inline constexpr std::array kThemeNames{EnumName<Theme>{Theme::Light, "light"}, EnumName<Theme>{Theme::Dark, "dark"},
                                         EnumName<Theme>{Theme::LightContrast, "light-contrast"},
                                         EnumName<Theme>{Theme::DarkContrast, "dark-contrast"}};
@@ -129,10 +127,11 @@ template <class F, Is<Camera> S>
 void fields(F& f, S& s) {
     f("azimuth", s.azimuth, kDegrees);
     f("elevation", s.elevation, Range{-90, 90});
-    f("zoom", s.zoom, Range{1e-3, 1e3});
+    f("zoom", s.zoom, Range{Camera::kLeastZoom, Camera::kMostZoom});
     f("target", s.target.xyz, kCoordinate);
 }
-template <class F, Is<Light> S>
+template <class F, class S>
+    requires Is<S, Direction<World>> || Is<S, Direction<Object>>
 void fields(F& f, S& s) {
     f("azimuth", s.azimuth, kDegrees);
     f("elevation", s.elevation, Range{-90, 90});
@@ -152,11 +151,6 @@ void fields(F& f, S& s) {
     f("axis", s.axis);
     f("at", s.at, kCoordinate);
     f("gradient", s.gradient);
-}
-template <class F, Is<Borrow> S>
-void fields(F& f, S& s) {
-    f("azimuth", s.azimuth, kDegrees);
-    f("elevation", s.elevation, Range{-90, 90});
 }
 template <class F, Is<AimedRay> S>
 void fields(F& f, S& s) {

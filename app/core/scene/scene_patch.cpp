@@ -1,9 +1,7 @@
 #include "core/scene/scene_patch.h"
 
-#include "core/base/error.h"
+#include "core/base/json_object.h"
 #include "core/scene/scene_json.h"
-
-#include <nlohmann/json.hpp>
 
 namespace normalscope {
 
@@ -26,14 +24,12 @@ void merge(Json& into, const Json& patch) {
 
 }  // namespace
 
-Scene with_patch(const Scene& scene, std::string_view patch, std::string_view source) {
-    const Json changes = Json::parse(patch, nullptr, false);
-    // What is no patch is told as what is no scene.
-    if (!changes.is_object()) return parse_scene(patch, source);
-    Json root = Json::parse(scene_text(scene));
-    merge(root, changes);
-    Scene result = parse_scene(root.dump(-1, ' ', false, Json::error_handler_t::replace), source);
-    if (!changes.contains("about") && !same_subject(result, scene)) result.about.clear();
+Scene with_patch(const Scene& scene, const Json& patch, const JsonPath& path) {
+    if (!patch.is_object()) fail_kind(path, "an object: the scene's keys that change", patch);
+    Json root = scene_json(scene);
+    merge(root, patch);
+    Scene result = scene_of_json(root, path);
+    if (!patch.contains("about") && !same_subject(result, scene)) result.about.clear();
     return result;
 }
 

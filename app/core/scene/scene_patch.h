@@ -1,14 +1,15 @@
 #pragma once
 
+#include "core/base/json_path.h"
 #include "core/scene/scene.h"
 
-#include <string_view>
+#include <nlohmann/json_fwd.hpp>
 
 namespace normalscope {
 
-/// The scene with some of its keys changed: `patch` is a scene's JSON of which only what changes is written. Objects are
-/// changed key by key; arrays, and a surface of another kind, are replaced. `source` names it in errors, as in
-/// parse_scene. Throws InputError.
-Scene with_patch(const Scene& scene, std::string_view patch, std::string_view source);
+/// The scene with some of its keys changed: `patch` is a scene's JSON of which only what changes is there. Objects are
+/// changed key by key; arrays, and a surface of another kind, are replaced. `path` is where the patch stands within JSON
+/// of other things. Throws JsonError.
+Scene with_patch(const Scene& scene, const nlohmann::ordered_json& patch, const JsonPath& path);
 
 }  // namespace normalscope

@@ -1,11 +1,13 @@
 #include "core/scene/variation.h"
 
+#include "core/base/decimal.h"
 #include "core/base/error.h"
+#include "core/base/json_path.h"
 #include "core/base/json_reading.h"
+#include "core/base/utf8.h"
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 namespace normalscope {
@@ -17,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostValues = 100'000;
 
 [[noreturn]] void fail(std::string_view text, const std::string& why) {
-    throw UsageError("--vary " + std::string(text.substr(0, 80)) + ": " + why);
+    throw UsageError("--vary " + shortened(text, 80), why);
 }
 
 std::vector<std::string_view> split(std::string_view text, char at) {
@@ -39,13 +41,13 @@ bool is_of_numbers(const Json& j, int depth = 0) {
     return !j.empty();
 }
 
-constexpr int kDeepest = 8;
-
 Json end_of_range(std::string_view text, std::string_view whole) {
-    const std::optional<Json> value = read_json_or_nothing(text, kDeepest);
-    if (!value || !is_of_numbers(*value))
-        fail(whole, "'" + std::string(text.substr(0, 40)) + "' is neither a number nor an array of numbers");
-    return *value;
+    try {
+        if (std::optional<Json> value = read_json_or_nothing(text); value && is_of_numbers(*value)) return *value;
+    } catch (const JsonError& e) {
+        fail(whole, e.what());
+    }
+    fail(whole, "'" + shortened(text, 40) + "' is neither a number nor an array of numbers");
 }
 
 bool same_shape(const Json& a, const Json& b) {
@@ -67,9 +69,7 @@ Json between(const Json& from, const Json& to, double t) {
     if (t == 1.0) return to;
     const double a = from.get<double>(), b = to.get<double>();
     // Without the digits that rounding leaves behind a decimal fraction.
-    char rounded[32];
-    std::snprintf(rounded, sizeof rounded, "%.12g", a + t * (b - a));
-    const double result = std::strtod(rounded, nullptr);
+    const double exact = a + t * (b - a), result = decimal(with_digits(exact, 12)).value_or(exact);
     // A whole number stays one, for keys that take no other.
     if (result == std::floor(result) && std::abs(result) < 1e15) return static_cast<std::int64_t>(result);
     return result;
@@ -79,8 +79,7 @@ std::size_t count_of(std::string_view text, std::string_view whole) {
     std::size_t count = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
     if (error != std::errc{} || end != text.data() + text.size() || count < 1 || count > kMostValues)
-        fail(whole, "COUNT '" + std::string(text.substr(0, 20)) + "' is no whole number from 1 to " +
-                        std::to_string(kMostValues));
+        fail(whole, "COUNT '" + shortened(text, 20) + "' is no whole number from 1 to " + std::to_string(kMostValues));
     return count;
 }
 
@@ -98,7 +97,7 @@ Variation parse_variation(std::string_view text, std::size_t usual_count) {
     Variation variation{std::string(text.substr(0, equals)), {}};
     for (std::size_t i = 0; i < count; ++i)
         variation.values.push_back(
-            between(from, to, count == 1 ? 0.0 : static_cast<double>(i) / static_cast<double>(count - 1)).dump());
+            between(from, to, count == 1 ? 0.0 : static_cast<double>(i) / static_cast<double>(count - 1)));
     return variation;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/scene/setting.h"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,10 +11,9 @@ namespace normalscope {
 /// What `--vary PATH=FROM:TO[:COUNT]` stands for: one key of a scene, and the values that it takes in turn.
 struct Variation {
     std::string path;
-    std::vector<std::string> values;  ///< JSON text each, the first one FROM and the last one TO
+    std::vector<nlohmann::ordered_json> values;  ///< the first one FROM and the last one TO
 
-    /// "PATH=VALUE", as with_setting takes it.
-    std::string setting(std::size_t i) const { return path + "=" + values[i]; }
+    Setting setting(std::size_t i) const { return {path, values[i]}; }
 };
 
 /// FROM and TO are numbers, or arrays of numbers of one shape; COUNT is `usual_count` where it is not given.

@@ -28,17 +28,17 @@ std::vector<glm::dvec3> directions(std::size_t count) {
 
 }  // namespace
 
-std::optional<ErrorHistogram> error_histogram(const Mesh& mesh, const NormalMap& naive, const NormalMatrices& matrices,
-                                              std::size_t most) {
-    if (!matrices.inverse_transpose || mesh.normals.empty()) return std::nullopt;
+std::optional<ErrorHistogram> error_histogram(const Mesh& mesh, const NormalMap& naive,
+                                              const Transform<World, Object>& world_from_object, std::size_t most) {
     const std::size_t step = std::max<std::size_t>(mesh.normals.size() / std::max<std::size_t>(most, 1), 1);
     ErrorHistogram histogram;
     std::array<double, 90> bins{};
     std::size_t count = 0;
     double sum = 0.0;
     for (std::size_t i = 0; i < mesh.normals.size(); i += step) {
-        const glm::dvec3& n = mesh.normals[i];
-        const auto error = angle_degrees(naive({n}).xyz, *matrices.inverse_transpose * n);
+        const Normal<Object> n{mesh.normals[i]};
+        const auto right = world_from_object(Point<Object>{mesh.positions[i]}, n);
+        const auto error = right ? angle_degrees(naive(n).xyz, right->xyz) : std::nullopt;
         if (!error) continue;
         // What is right but for rounding belongs into the first bin, and 90° into the one before it.
         const auto bin = static_cast<std::size_t>(std::max(*error - 1e-9, 0.0) / histogram.bin_degrees);

@@ -17,9 +17,10 @@ struct ErrorHistogram {
     std::vector<double> shares;  ///< of the normals, a bin; they add up to 1
     double worst_degrees = 0.0, mean_degrees = 0.0;
 };
-/// Of at most `most` normals, evenly picked, so that a large mesh does not slow down the dragging. Empty where the
-/// inverse transpose does not exist, or the surface has no normal.
-std::optional<ErrorHistogram> error_histogram(const Mesh& mesh, const NormalMap& naive, const NormalMatrices& matrices,
+/// Of at most `most` normals, evenly picked, so that a large mesh does not slow down the dragging. Empty where M has no
+/// inverse, or the surface has no normal.
+std::optional<ErrorHistogram> error_histogram(const Mesh& mesh, const NormalMap& naive,
+                                              const Transform<World, Object>& world_from_object,
                                               std::size_t most = 4000);
 
 struct MeasuredError {

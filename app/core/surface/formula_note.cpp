@@ -1,12 +1,16 @@
 #include "core/surface/formula_note.h"
 
+#include "core/base/decimal.h"
+#include "core/formula/zero_crossing.h"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace normalscope {
@@ -18,10 +22,11 @@ constexpr int kRayStride = 99;    // odd, so that all are visited
 constexpr int kTrialPoints = 7;   // a side
 constexpr double kBeside = 2e-3;  // of the bound: how far from a zero a ray passes that tells a sheet from a thread
 constexpr double kSamePoint = 1e-4;
+constexpr double kVisible = 1e-3;                // of the bound: half a pixel, or so
 constexpr std::int64_t kMostEffort = 8'000'000;  // some tenths of a second
 
-// Whether any of a grid of rays meets it: a formula such as (x − 1)² touches zero without crossing it.
-bool rays_meet(const ImplicitSurface& surface) {
+// Where the first of a grid of rays meets it: a formula such as (x − 1)² touches zero without crossing it.
+std::optional<glm::dvec3> met_by_rays(const ImplicitSurface& surface) {
     const double bound = surface.source().bound;
     formulas::Effort effort{kMostEffort};
     constexpr int kRays = kTrialRays * kTrialRays;
@@ -33,9 +38,9 @@ bool rays_meet(const ImplicitSurface& surface) {
             along[axis] = 1.0;
             from[(axis + 1) % 3] = bound * (2.0 * (i % kTrialRays + 0.5) / kTrialRays - 1.0);
             from[(axis + 2) % 3] = bound * (2.0 * (i / kTrialRays + 0.5) / kTrialRays - 1.0);
-            if (surface.first_hit({{from}, {along}}, &effort)) return true;
+            if (const auto t = surface.first_hit({{from}, {along}}, &effort)) return from + *t * along;
         }
-    return false;
+    return std::nullopt;
 }
 
 /// Zeros that no ray of the grid has met, found by going down |f| from all over the ball or cube.
@@ -80,21 +85,21 @@ bool is_sheet(const ImplicitSurface& surface, const glm::dvec3& zero, formulas::
 std::string point_text(const glm::dvec3& p, double bound) {
     std::string text = "(";
     for (glm::length_t i = 0; i < 3; ++i) {
-        char number[32];
-        std::snprintf(number, sizeof number, "%.3g", std::abs(p[i]) < 1e-6 * bound ? 0.0 : p[i]);
-        text += (i > 0 ? ", " : "") + (number[0] == '-' ? "\u2212" + std::string(number + 1) : std::string(number));
+        const double coordinate = std::abs(p[i]) < 1e-6 * bound ? 0.0 : p[i];
+        text +=
+            std::string(i > 0 ? ", " : "") + (coordinate < 0.0 ? "\u2212" : "") + with_digits(std::abs(coordinate), 3);
     }
     return text + ")";
 }
 
-// f may be negative within a ball far smaller than the grid's cells.
+// f may be negative within a part far smaller than the grid's cells: down to where two doubles are the same.
 void look_around(const ImplicitSurface& surface, Zeros& zeros) {
     const double bound = surface.source().bound;
     for (const glm::dvec3& p : zeros.places)
-        for (const double away : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8})
+        for (int step = 0; step < 20; ++step)
             for (int k = 0; k < 8; ++k) {
                 const glm::dvec3 side(k & 1 ? 1.0 : -0.9, k & 2 ? 0.8 : -1.0, k & 4 ? 0.9 : -0.8);
-                const double f = surface.at({p + away * bound * side}).value;
+                const double f = surface.at({p + 1e-2 * std::pow(0.3, step) * bound * side}).value;
                 zeros.below = zeros.below || f < 0.0;
                 zeros.above = zeros.above || f > 0.0;
             }
@@ -110,31 +115,73 @@ std::string thin(const Zeros& zeros, double bound) {
            (one_point ? ": a point" : ": a line or some points") + ", too thin for a surface. Nothing is drawn.";
 }
 
+// Where f becomes 0 just where its values end, as sqrt(1 − x²) does.
+std::optional<glm::dvec3> zero_at_an_edge(const ImplicitSurface& surface) {
+    const double step = 2.0 * surface.source().bound / kTrialPoints;
+    const auto f = [&](const glm::dvec3& p) { return std::abs(surface.at({p}).value); };
+    for (const glm::dvec3& start : surface.points_throughout(kTrialPoints))
+        for (glm::length_t k = 0; k < 6; ++k) {
+            glm::dvec3 in = start, out = start;
+            out[k / 2] += k % 2 == 0 ? step : -step;
+            if (!(f(in) > 0.0) || !std::isnan(f(out)) || !surface.inside_clip(out)) continue;
+            for (int i = 0; i < 60; ++i) {
+                const glm::dvec3 middle = 0.5 * (in + out);
+                (std::isnan(f(middle)) ? out : in) = middle;
+            }
+            if (f(in) < 1e-3 * f(start)) return in;
+        }
+    return std::nullopt;
+}
+
+// Of what has triangles.
+FormulaNote on_mesh(const ImplicitSurface& surface, const Mesh& mesh) {
+    glm::dvec3 low = mesh.positions.front(), high = low;
+    for (const glm::dvec3& p : mesh.positions) low = glm::min(low, p), high = glm::max(high, p);
+    const double size = glm::length(high - low);
+    if (size > kVisible * surface.source().bound) return {};
+    return {"The surface, around " + point_text(0.5 * (low + high), surface.source().bound) + ", is only " +
+            with_digits(size, 2) + " across: too small to be seen within a bound so large. Try a smaller bound."};
+}
+
+// Of what has none, but zeros that were found.
+FormulaNote on_zeros(const ImplicitSurface& surface, Zeros zeros, const std::string& within) {
+    const glm::dvec3 first = zeros.places.front();
+    formulas::Effort effort{kMostEffort};
+    bool sheet = false;
+    for (const glm::dvec3& zero : zeros.places) sheet = sheet || is_sheet(surface, zero, effort);
+    look_around(surface, zeros);
+    if (zeros.below && zeros.above)
+        return {"f changes its sign within " + within + ", as at " + point_text(first, surface.source().bound) +
+                ", but in parts so thin that only rays find them: there are no triangles, and no arrows."};
+    if (sheet)
+        return {"f touches 0 within " + within +
+                " without changing its sign. Only rays find such a surface: it has no triangles, and no arrows."};
+    return {thin(zeros, surface.source().bound), false};
+}
+
 }  // namespace
 
-std::string note_on(const ImplicitSurface& surface, const Mesh& mesh) {
-    if (surface.zero_everywhere()) return "f is 0 everywhere: all of space, and no surface. Nothing is drawn.";
-    if (!mesh.triangles.empty()) return {};
+FormulaNote note_on(const ImplicitSurface& surface, const Mesh& mesh) {
+    if (surface.zero_everywhere()) return {"f is 0 everywhere: all of space, and no surface. Nothing is drawn.", false};
+    if (!mesh.triangles.empty()) return on_mesh(surface, mesh);
     const std::string within = surface.source().clip == Clip::Ball ? "the ball" : "the cube";
-    const std::string touches =
-        "f touches 0 within " + within +
-        " without changing its sign. Only rays find such a surface: it has no triangles, and no arrows.";
-    const std::string none = "No zero of f was found within " + within + ", so nothing is drawn. Try a larger bound.";
+    const FormulaNote none{"No zero of f was found within " + within + ", so nothing is drawn. Try a larger bound.",
+                           false};
     if (const auto& p = surface.zero_throughout())
-        return "f is 0 throughout a part of " + within + ", as around " + point_text(*p, surface.source().bound) +
-               ", and changes its sign nowhere: a solid, and no surface. Nothing is drawn.";
-    if (!surface.region()) return none;
-    if (rays_meet(surface)) return touches;
+        return {"f is 0 throughout a part of " + within + ", as around " + point_text(*p, surface.source().bound) +
+                    ", and changes its sign nowhere: a solid, and no surface. Nothing is drawn.",
+                false};
+    if (!surface.region() || !surface.close_region()) return none;
     Zeros zeros = zeros_of(surface);
-    if (zeros.places.empty()) return none;
-    formulas::Effort effort{kMostEffort};
-    for (const glm::dvec3& zero : zeros.places)
-        if (is_sheet(surface, zero, effort)) return touches;
-    look_around(surface, zeros);
-    if (zeros.below == zeros.above)
-        return "What f has of zeros, as at " + point_text(zeros.places.front(), surface.source().bound) +
-               ", is too small to be drawn. Try a smaller bound.";
-    return thin(zeros, surface.source().bound);
+    const bool may_jump = formulas::may_jump(surface.program());
+    if (const auto met = met_by_rays(surface); met && (!may_jump || surface.lies_on(*met)))
+        zeros.places.insert(zeros.places.begin(), *met);
+    if (!zeros.places.empty()) return on_zeros(surface, std::move(zeros), within);
+    if (const auto edge = zero_at_an_edge(surface))
+        return {"f is 0 only where its values end, as at " + point_text(*edge, surface.source().bound) +
+                    ": it changes its sign nowhere within " + within + ". Nothing is drawn.",
+                false};
+    return none;
 }
 
 }  // namespace normalscope

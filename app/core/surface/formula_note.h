@@ -6,8 +6,13 @@
 
 namespace normalscope {
 
-/// Why there is less to be seen of a formula than one may expect; empty where there is not. `mesh` is what it was
-/// polygonised to.
-std::string note_on(const ImplicitSurface& surface, const Mesh& mesh);
+/// Why there is less to be seen of a formula than one may expect; empty where there is not.
+struct FormulaNote {
+    std::string text;
+    bool drawn = true;  ///< else it says that nothing is drawn, and nothing may be
+};
+
+/// `mesh` is what it was polygonised to.
+FormulaNote note_on(const ImplicitSurface& surface, const Mesh& mesh);
 
 }  // namespace normalscope

@@ -2,6 +2,8 @@
 
 #include "core/base/error.h"
 #include "core/formula/compile.h"
+#include "core/formula/single.h"
+#include "core/formula/zero_crossing.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -16,8 +18,14 @@ namespace {
 
 constexpr int kRegionDepth = 4;  // 16 cells a side
 constexpr int kMostDegreeOnGpu = 60;
-constexpr int kTrialPoints = 16;  // a side
-constexpr int kMostSteps = 200;   // to a root: enough for one of multiplicity 8
+constexpr int kTrialPoints = 16;       // a side
+constexpr int kMostSteps = 200;        // to a root: enough for one of multiplicity 8
+constexpr int kMostShrinks = 24;       // of the region
+constexpr double kBeside = 1e-9;       // of the bound
+constexpr double kAround = 0.02;       // of the bound
+constexpr double kHalfPixel = 1.5e-3;  // of the bound
+constexpr int kMostWrong = 3;          // of some thousand points
+constexpr double kInfinite = formulas::kInfinity;
 
 // What is left of the cube when the parts without a zero are left out, halved so many times.
 void add_where_zero(const ImplicitSurface& surface, const formulas::Box& box, int depth, bool first, double ball,
@@ -96,6 +104,61 @@ ImplicitSurface::ImplicitSurface(const FormulaSurface& source)
     region_ = formulas::Box{glm::max(region_->low - slack, all.low), glm::min(region_->high + slack, all.high)};
 }
 
+void ImplicitSurface::check_floats(const Mesh& mesh) {
+    // Half a pixel or so, and little against a small surface.
+    glm::dvec3 low(kInfinite), high(-kInfinite);
+    for (const glm::dvec3& p : mesh.positions) low = glm::min(low, p), high = glm::max(high, p);
+    const double beside = std::min(kHalfPixel * source_.bound, 0.02 * glm::length(high - low));
+    std::vector<glm::dvec3> points;
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        for (const double side : {beside, -beside}) points.push_back(mesh.positions[i] + side * mesh.normals[i]);
+    std::vector<double> exact(points.size()), rounded(points.size());
+    formulas::values(program_, points, exact);
+    formulas::values_in_floats(program_, points, rounded);
+    int wrong = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double outward = i % 2 == 0 ? 1.0 : -1.0;
+        wrong += exact[i] * outward > 0.0 && !(rounded[i] * outward > 0.0) ? 1 : 0;
+    }
+    if (wrong <= kMostWrong) return;
+    const formulas::Program unset = formulas::compile(formula_->graph, formula_->f, std::nullopt);
+    double_glsl_ = std::make_shared<const formulas::Glsl>(formulas::to_glsl(unset, formulas::Precision::Double));
+}
+
+std::optional<formulas::Box> ImplicitSurface::close_region() const {
+    std::optional<formulas::Box> box = region_;
+    for (int i = 0; i < kMostShrinks && box; ++i) {
+        std::optional<formulas::Box> closer;
+        add_where_zero(*this, *box, kRegionDepth, true, source_.clip == Clip::Ball ? source_.bound : 0.0, closer);
+        if (!closer) return std::nullopt;
+        const glm::dvec3 before = box->high - box->low, after = closer->high - closer->low;
+        box = closer;
+        if (glm::all(glm::greaterThan(after, 0.9 * before))) break;
+    }
+    return box;
+}
+
+bool ImplicitSurface::lies_on(const glm::dvec3& p) const {
+    const formulas::Sample s = at({p});
+    if (s.value == 0.0 && !formulas::may_jump(program_)) return true;
+    const auto largest_at = [&](double distance) {
+        double largest = 0.0;
+        for (glm::length_t k = 0; k < 6; ++k) {
+            glm::dvec3 q = p;
+            q[k / 2] += (k % 2 == 0 ? distance : -distance) * source_.bound;
+            const double f = std::abs(formulas::value(program_, q));
+            if (std::isfinite(f)) largest = std::max(largest, f);
+        }
+        return largest;
+    };
+    const double around = largest_at(kAround);
+    // sign(x) is 0 at x = 0, and 1 as near to it as one likes.
+    if (s.value == 0.0) return largest_at(kBeside) <= 0.5 * around;
+    const double slope = glm::length(s.gradient);
+    return std::abs(s.value) <= 1e-9 * around &&
+           (!std::isfinite(slope) || std::abs(s.value) <= 1e-9 * slope * source_.bound);
+}
+
 bool ImplicitSurface::inside_clip(const glm::dvec3& p) const {
     return source_.clip == Clip::Ball ? glm::dot(p, p) <= source_.bound * source_.bound
                                       : glm::all(glm::lessThanEqual(glm::abs(p), glm::dvec3(source_.bound)));
@@ -150,22 +213,25 @@ std::optional<double> ImplicitSurface::first_hit(const Ray<Object>& ray, formula
 }
 
 std::optional<Point<Object>> ImplicitSurface::onto_surface(Point<Object> start, double reach) const {
+    const auto verified = [&](const glm::dvec3& p) {
+        return lies_on(p) ? std::optional(Point<Object>{p}) : std::nullopt;
+    };
     glm::dvec3 p = start.xyz;
     for (int i = 0; i < kMostSteps; ++i) {
         const formulas::Sample s = formulas::sample(program_, p);
         if (std::isnan(s.value)) return std::nullopt;
         const double slope2 = glm::dot(s.gradient, s.gradient);
-        if (s.value == 0.0) return Point<Object>{p};
+        if (s.value == 0.0) return verified(p);
         if (!(slope2 > 0.0)) return std::nullopt;
         const glm::dvec3 step = s.value / slope2 * s.gradient;
         const glm::dvec3 next = p - step;
         if (!(glm::length(next - start.xyz) <= reach)) return std::nullopt;
-        if (next == p || glm::length(step) < 1e-15 * source_.bound) return Point<Object>{next};
+        if (next == p || glm::length(step) < 1e-15 * source_.bound) return verified(next);
         p = next;
     }
     // At a root of multiplicity m the steps leave 1 − 1/m of the distance; what is as near as this lies on it.
     const formulas::Sample s = formulas::sample(program_, p);
-    if (std::abs(s.value) <= 1e-12 * glm::length(s.gradient) * source_.bound) return Point<Object>{p};
+    if (std::abs(s.value) <= 1e-12 * glm::length(s.gradient) * source_.bound) return verified(p);
     return std::nullopt;
 }
 

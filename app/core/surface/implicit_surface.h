@@ -28,7 +28,15 @@ public:
     /// f with values for its parameters.
     const formulas::Program& program() const { return program_; }
     /// f and ∇f for the graphics processor; the parameters are uniforms. The same for all values of the parameters.
-    const formulas::Glsl& glsl() const { return *glsl_; }
+    const formulas::Glsl& glsl(formulas::Precision precision = formulas::Precision::Single) const {
+        return precision == formulas::Precision::Double && double_glsl_ ? *double_glsl_ : *glsl_;
+    }
+    /// Whether floats show f's signs beside these points of the surface as doubles do. If not, there is GLSL in doubles,
+    /// too: without them the picture is one of rounding.
+    void check_floats(const Mesh& mesh);
+    formulas::Precision precision() const {
+        return double_glsl_ ? formulas::Precision::Double : formulas::Precision::Single;
+    }
     /// The degree in x, y, z whatever the parameters are; empty where f is no polynomial.
     std::optional<int> degree() const { return degree_; }
     /// f is 0 wherever it has a value: not a surface.
@@ -38,7 +46,15 @@ public:
 
     /// Where in the ball or cube f = 0 may lie, and somewhat more. Empty where f has no zero there at all, or no surface.
     const std::optional<formulas::Box>& region() const { return region_; }
+    /// The same, as closely as intervals tell: for what is far smaller, or thinner, than the ball. Empty where that shows
+    /// that f has no zero after all.
+    std::optional<formulas::Box> close_region() const;
+    /// Nothing of it is worth drawing: no ray meets it from now on.
+    void hide() { region_.reset(); }
+
     bool inside_clip(const glm::dvec3& p) const;
+    /// f is 0 at p but for rounding, held against f and ∇f around: small alone says nothing, and at a pole f is large.
+    bool lies_on(const glm::dvec3& p) const;
     /// Points all over the ball or cube, as of a grid with so many a side, but off the planes of symmetry, on which f may be
     /// 0, or a way down |f| end on a ridge.
     std::vector<glm::dvec3> points_throughout(int a_side) const;
@@ -53,13 +69,14 @@ public:
     /// The part of the ray within the clip; empty where it misses.
     std::optional<std::array<double, 2>> clipped(const Ray<Object>& ray) const;
 
-    /// Goes down the gradient from `p` to f = 0: Newton's steps. Empty where they do not come to rest within `reach`.
+    /// Goes down the gradient from `p` to f = 0: Newton's steps. Empty where they do not come to rest within `reach`, or not
+    /// on the surface.
     std::optional<Point<Object>> onto_surface(Point<Object> p, double reach) const;
 
 private:
     FormulaSurface source_;
     std::shared_ptr<const formulas::Formula> formula_;
-    std::shared_ptr<const formulas::Glsl> glsl_;
+    std::shared_ptr<const formulas::Glsl> glsl_, double_glsl_;
     std::optional<int> degree_;
     formulas::Program program_;
     std::optional<formulas::RayTracer> tracer_;

@@ -1,5 +1,7 @@
 #include "core/surface/level_sets.h"
 
+#include "core/formula/zero_crossing.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -46,7 +48,8 @@ Polygon clipped(const Polygon& polygon, F&& above) {
 
 class Maker {
 public:
-    Maker(const ImplicitSurface& surface, const Slice& slice) : surface_(surface) {
+    Maker(const ImplicitSurface& surface, const Slice& slice)
+        : surface_(surface), may_jump_(formulas::may_jump(surface.program())) {
         const auto axis = static_cast<glm::length_t>(slice.axis);
         // So that (u, v, axis) is right-handed, and the plane looks as one draws it.
         sets_.across[0][(axis + 1) % 3] = 1.0;
@@ -200,7 +203,10 @@ private:
         for (std::size_t i = 0; i < polygon.size(); ++i) {
             const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
             const double fa = a.f - level * sets_.step, fb = b.f - level * sets_.step;
-            if ((fa < 0.0) != (fb < 0.0)) ends.push_back(lift(between(a, b, fa / (fa - fb)).at));
+            if ((fa < 0.0) == (fb < 0.0)) continue;
+            // Over a jump, as over a pole, f is not 0: no line of the surface.
+            if (level == 0 && may_jump_ && !formulas::zero_between(surface_.program(), lift(a.at), lift(b.at))) return;
+            ends.push_back(lift(between(a, b, fa / (fa - fb)).at));
         }
         if (ends.size() == 2) sets_.lines.push_back({{ends[0], ends[1]}, level});
     }
@@ -257,6 +263,7 @@ private:
     }
 
     const ImplicitSurface& surface_;
+    bool may_jump_;
     bool round_ = true;
     LevelSets sets_;
     std::vector<Corner> corners_;

@@ -1,8 +1,11 @@
 // Surface nets (Gibson, "Constrained elastic surface nets", 1998): a vertex in each cell of a grid whose corners differ in
 // sign, a quad across each edge whose ends do. Every vertex then goes down the gradient onto the surface itself.
 
+#include "core/formula/zero_crossing.h"
 #include "core/mesh/closed_mesh.h"
+#include "core/surface/box_cut.h"
 #include "core/surface/implicit_surface.h"
+#include "core/surface/ray_mesh.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -12,6 +15,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -21,13 +25,19 @@ namespace {
 
 constexpr std::uint32_t kNoVertex = ~std::uint32_t{0};
 constexpr int kNewtonSteps = 8;
+constexpr int kMoreSteps = 40;
+constexpr double kSettled = 0.05;  // of a cell: how near to f = 0 a vertex is after them
+constexpr double kThin = 8.0;      // cells, at least, across what is thin
 
 class SurfaceNet {
 public:
-    SurfaceNet(const ImplicitSurface& surface, const formulas::Box& box, int cells) : surface_(surface), low_(box.low) {
-        const glm::dvec3 size = box.high - box.low;
-        step_ = std::max({size.x, size.y, size.z}) / cells;
-        counts_ = glm::max(glm::ivec3(glm::ceil(size / step_ - 1e-9)), 1);
+    SurfaceNet(const ImplicitSurface& surface, const formulas::Box& box, const glm::dvec3& step)
+        : surface_(surface),
+          careful_(formulas::may_jump(surface.program())),
+          low_(box.low),
+          step_(step),
+          largest_step_(std::max({step.x, step.y, step.z})) {
+        counts_ = glm::max(glm::ivec3(glm::ceil((box.high - box.low) / step_ - 1e-9)), 1);
         evaluate();
         add_vertices();
         descend();
@@ -36,6 +46,11 @@ public:
     }
 
     Mesh mesh();
+    /// Both are seen: 0 alone says nothing so near to where f may only touch it.
+    bool has_both_signs() const {
+        return std::ranges::any_of(values_, [](double f) { return f < 0.0; }) &&
+               std::ranges::any_of(values_, [](double f) { return f > 0.0; });
+    }
 
 private:
     glm::dvec3 corner(const glm::ivec3& c) const { return low_ + step_ * glm::dvec3(c); }
@@ -53,7 +68,10 @@ private:
     }
 
     void evaluate();
+    double crossing(const glm::ivec3& c, glm::length_t axis);
     void add_vertices();
+    void settle(std::size_t vertex, const glm::dvec3& start, formulas::Sample& sample);
+    void anchor(std::size_t vertex, formulas::Sample& sample);
     void descend();
     void add_quads();
     void add_quad(const std::array<std::uint32_t, 4>& q);
@@ -61,14 +79,17 @@ private:
     glm::dvec3 onto_clip(glm::dvec3 p) const;
 
     const ImplicitSurface& surface_;
-    glm::dvec3 low_;
-    double step_ = 0.0;
+    bool careful_;  // a change of sign may be a pole or a jump
+    glm::dvec3 low_, step_;
+    double largest_step_;
     glm::ivec3 counts_{0};
-    std::vector<double> values_;           // at the corners
+    std::vector<double> values_;  // at the corners
+    std::unordered_map<std::size_t, double> crossings_;
+    std::vector<glm::ivec3> cells_;        // of the vertices
     std::vector<std::uint32_t> vertices_;  // of the cell whose lowest corner it is
     std::vector<glm::dvec3> positions_, gradients_;
     std::vector<double> sizes_;  // of f around each vertex
-    std::vector<bool> lost_;     // no zero there after all, but a pole
+    std::vector<bool> lost_;     // no zero was found there after all
     std::vector<glm::uvec3> triangles_;
 };
 
@@ -80,6 +101,16 @@ void SurfaceNet::evaluate() {
             for (c.x = 0; c.x <= counts_.x; ++c.x) points.push_back(corner(c));
     values_.resize(points.size());
     formulas::values(surface_.program(), points, values_);
+}
+
+// Where on the edge from a corner along an axis, whose ends have different signs, f is 0: from 0 to 1. NaN where it is not.
+double SurfaceNet::crossing(const glm::ivec3& c, glm::length_t axis) {
+    const auto [known, is_new] =
+        crossings_.try_emplace(3 * corner_index(c) + static_cast<std::size_t>(axis), std::nan(""));
+    if (!is_new) return known->second;
+    glm::ivec3 end = c;
+    ++end[axis];
+    return known->second = formulas::zero_between(surface_.program(), corner(c), corner(end)).value_or(std::nan(""));
 }
 
 void SurfaceNet::add_vertices() {
@@ -102,13 +133,17 @@ void SurfaceNet::add_vertices() {
             for (unsigned axis = 0; axis < 3; ++axis) {
                 const unsigned l = k | (1u << axis);
                 if (l == k || (f[k] < 0.0) == (f[l] < 0.0)) continue;
+                const auto along = static_cast<glm::length_t>(axis);
                 glm::dvec3 at(k & 1, (k >> 1) & 1, k >> 2);
-                at[static_cast<glm::length_t>(axis)] = f[k] / (f[k] - f[l]);
+                at[along] = careful_ ? crossing(c + glm::ivec3(at), along) : f[k] / (f[k] - f[l]);
+                if (std::isnan(at[along])) continue;
                 sum += at;
                 ++crossings;
             }
+        if (crossings == 0) return;
         vertices_[corner_index(c)] = static_cast<std::uint32_t>(positions_.size());
-        positions_.push_back(corner(c) + step_ / crossings * sum);
+        positions_.push_back(corner(c) + step_ / static_cast<double>(crossings) * sum);
+        cells_.push_back(c);
         sizes_.push_back(size);
     });
 }
@@ -124,16 +159,49 @@ void SurfaceNet::descend() {
             const glm::dvec3 move = samples[v].value / glm::dot(g, g) * g;
             const glm::dvec3 next = positions_[v] - move;
             // What would leave its cell is near a double point or a pole.
-            if (glm::length(next - start[v]) <= 1.2 * step_) positions_[v] = next;
+            if (glm::length(next - start[v]) <= 1.2 * largest_step_) positions_[v] = next;
         }
     }
     formulas::samples(surface_.program(), positions_, samples);
     lost_.resize(positions_.size());
     gradients_.resize(positions_.size());
     for (std::size_t v = 0; v < positions_.size(); ++v) {
-        lost_[v] = !(std::abs(samples[v].value) <= 0.3 * sizes_[v]);
+        if (!surface_.degree()) settle(v, start[v], samples[v]);
+        const double off = std::abs(samples[v].value), near = (careful_ ? 1e-6 : kSettled) * largest_step_;
+        if (!(off <= 0.3 * sizes_[v] && off <= near * glm::length(samples[v].gradient))) anchor(v, samples[v]);
         gradients_[v] = samples[v].gradient;
     }
+}
+
+// More of the steps for who needs them, as where f is an exponential that falls steeply.
+void SurfaceNet::settle(std::size_t vertex, const glm::dvec3& start, formulas::Sample& sample) {
+    for (int i = 0; i < kMoreSteps; ++i) {
+        const glm::dvec3& g = sample.gradient;
+        if (!(std::abs(sample.value) > 1e-9 * largest_step_ * glm::length(g))) return;
+        const glm::dvec3 next = positions_[vertex] - sample.value / glm::dot(g, g) * g;
+        if (!(glm::length(next - start) <= 1.2 * largest_step_)) return;
+        positions_[vertex] = next;
+        sample = surface_.at({next});
+    }
+}
+
+// Where Newton's steps go astray, as where f is steep on one side and flat on the other: to a zero on one of the cell's edges.
+void SurfaceNet::anchor(std::size_t vertex, formulas::Sample& sample) {
+    const glm::ivec3& cell = cells_[vertex];
+    for (int k = 0; k < 8; ++k)
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            if (k >> axis & 1) continue;
+            const glm::ivec3 from = cell + glm::ivec3(k & 1, (k >> 1) & 1, k >> 2);
+            glm::ivec3 end = from;
+            ++end[axis];
+            if ((values_[corner_index(from)] < 0.0) == (values_[corner_index(end)] < 0.0)) continue;
+            const double at = crossing(from, axis);
+            if (std::isnan(at)) continue;
+            positions_[vertex] = glm::mix(corner(from), corner(end), at);
+            sample = surface_.at({positions_[vertex]});
+            return;
+        }
+    lost_[vertex] = true;
 }
 
 void SurfaceNet::add_quad(const std::array<std::uint32_t, 4>& q) {
@@ -166,6 +234,7 @@ void SurfaceNet::add_quads() {
                         continue;
                     const double here = values_[corner_index(c)], there = values_[corner_index(c + along)];
                     if ((here < 0.0) == (there < 0.0) || std::isnan(here) || std::isnan(there)) continue;
+                    if (careful_ && std::isnan(crossing(c, axis))) continue;
                     const auto cell = [&](const glm::ivec3& at) { return vertices_[corner_index(at)]; };
                     std::array quad{cell(c - u - v), cell(c - v), cell(c), cell(c - u)};
                     if (there < 0.0) std::swap(quad[1], quad[3]);  // counterclockwise as seen from where f > 0
@@ -177,7 +246,6 @@ void SurfaceNet::add_quads() {
 // Onto the clip's own surface and f = 0 at once, by Newton's steps.
 glm::dvec3 SurfaceNet::onto_clip(glm::dvec3 p) const {
     const double bound = surface_.source().bound;
-    if (surface_.source().clip == Clip::Box) return glm::clamp(p, glm::dvec3(-bound), glm::dvec3(bound));
     for (int i = 0; i < kNewtonSteps; ++i) {
         const formulas::Sample s = surface_.at({p});
         const double f = s.value, g = 0.5 * (glm::dot(p, p) - bound * bound);
@@ -186,14 +254,23 @@ glm::dvec3 SurfaceNet::onto_clip(glm::dvec3 p) const {
         const double determinant = aa * bb - ab * ab;
         if (!(determinant > 1e-12 * aa * bb)) break;
         const glm::dvec3 next = p - (bb * f - ab * g) / determinant * a - (aa * g - ab * f) / determinant * b;
-        if (!(glm::length(next - p) < 4.0 * step_)) break;
+        if (!(glm::length(next - p) < 4.0 * largest_step_)) break;
         p = next;
     }
     return p;
 }
 
-// Leaves out what lies beyond the clip, and moves the vertices of the last triangles onto its edge.
+// Leaves out what lies beyond the clip, and ends the last triangles at its edge: at a cube's faces they are cut, at the
+// ball their vertices are moved.
 void SurfaceNet::trim() {
+    if (surface_.source().clip == Clip::Box) {
+        const std::size_t before = positions_.size();
+        cut_to_box(surface_, positions_, triangles_);
+        for (std::size_t v = before; v < positions_.size(); ++v)
+            gradients_.push_back(surface_.at({positions_[v]}).gradient);
+        lost_.resize(positions_.size());
+        return;
+    }
     std::vector<bool> inside(positions_.size());
     for (std::size_t v = 0; v < positions_.size(); ++v) inside[v] = surface_.inside_clip(positions_[v]);
     std::erase_if(triangles_, [&](const glm::uvec3& t) { return !inside[t.x] && !inside[t.y] && !inside[t.z]; });
@@ -203,8 +280,11 @@ void SurfaceNet::trim() {
     for (std::size_t v = 0; v < positions_.size(); ++v)
         if (outside[v]) {
             positions_[v] = onto_clip(positions_[v]);
-            gradients_[v] = surface_.at({positions_[v]}).gradient;
+            const formulas::Sample s = surface_.at({positions_[v]});
+            gradients_[v] = s.gradient;
+            lost_[v] = careful_ && !(std::abs(s.value) <= 1e-6 * largest_step_ * glm::length(s.gradient));
         }
+    std::erase_if(triangles_, [&](const glm::uvec3& t) { return lost_[t.x] || lost_[t.y] || lost_[t.z]; });
 }
 
 Mesh SurfaceNet::mesh() {
@@ -236,11 +316,25 @@ Mesh SurfaceNet::mesh() {
 Mesh polygonised(const ImplicitSurface& surface, int cells) {
     if (!surface.region()) return {};
     // A margin, so that no edge of the region's surface lacks a cell beside it.
-    const double margin = 1e-3 * surface.source().bound;
-    formulas::Box box = *surface.region();
-    box.low -= margin;
-    box.high += margin;
-    return SurfaceNet(surface, box, cells).mesh();
+    const auto within = [](formulas::Box box, double margin) {
+        return formulas::Box{box.low - margin, box.high + margin};
+    };
+    const auto largest = [](const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); };
+    const formulas::Box box = within(*surface.region(), 1e-3 * surface.source().bound);
+    const double cell = largest(box.high - box.low) / cells;
+    // What a cube cuts off must reach beyond it first.
+    const double beyond = surface.source().clip == Clip::Box ? 1.5 * cell : 0.0;
+    Mesh mesh = SurfaceNet(surface, within(box, beyond), glm::dvec3(cell)).mesh();
+    if (!mesh.triangles.empty()) return mesh;
+
+    // Smaller than the cells, or thinner.
+    const auto close = surface.close_region();
+    if (!close) return {};
+    const formulas::Box around = within(*close, 1e-3 * largest(close->high - close->low));
+    const glm::dvec3 size = around.high - around.low, step(largest(size) / cells);
+    SurfaceNet net(surface, around, glm::min(step, size / kThin));
+    if (net.has_both_signs()) mesh = net.mesh();
+    return mesh.triangles.empty() ? ray_mesh(surface, around, cells) : mesh;
 }
 
 }  // namespace normalscope

@@ -50,6 +50,23 @@ glm::dvec3 nearest_barycentric(const glm::dvec3& a, const glm::dvec3& b, const g
     return {va / sum, vb / sum, vc / sum};
 }
 
+// From the image of a triangle back to it: each corner counts by what its image was divided by.
+glm::dvec3 before(const Transform<World, Object>& m, const Mesh& mesh, const glm::uvec3& t, glm::dvec3 barycentric) {
+    if (m.affine()) return barycentric;
+    for (int k = 0; k < 3; ++k) barycentric[k] /= m.w({mesh.positions[t[k]]});
+    return barycentric / (barycentric.x + barycentric.y + barycentric.z);
+}
+
+// NaN for what has no image, or so far away a one that no ray could be told to meet it.
+std::vector<glm::dvec3> images(const Mesh& mesh, const Transform<World, Object>& world_from_object) {
+    constexpr double kNearInfinity = 1e-6;  // of w, which is 1 where M is affine
+    std::vector<glm::dvec3> world(mesh.positions.size(), glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+    for (std::size_t i = 0; i < world.size(); ++i)
+        if (const Point<Object> p{mesh.positions[i]}; world_from_object.w(p) > kNearInfinity)
+            world[i] = world_from_object(p).xyz;
+    return world;
+}
+
 }  // namespace
 
 Probe probe_with(Point<Object> point, Normal<Object> normal) {
@@ -69,8 +86,12 @@ ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& world_
     ProbeInWorld result;
     result.object = probe;
     result.point = world_from_object(probe.point);
-    const glm::dmat3 tangents = tangent_matrix(scene, world_from_object);
-    for (std::size_t k = 0; k < 2; ++k) result.tangents[k] = {tangents * probe.tangents[k].xyz};
+    result.affine = world_from_object.affine();
+    const std::optional<glm::dmat3> mistaken = mistaken_tangents(scene, world_from_object);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Vector<Object> t = probe.tangents[k];
+        result.tangents[k] = mistaken ? Vector<World>{*mistaken * t.xyz} : world_from_object(probe.point, t);
+    }
     for (std::size_t r = 0; r < kRules.size() && probe.has_normal(); ++r) {
         std::optional<Normal<World>> n = transform_normal(world_from_object, probe.normal, kRules[r]);
         if (kRules[r] == Rule::Naive && scene.mistake != Mistake::Naive) {
@@ -80,16 +101,18 @@ ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& world_
         result.normals[r] = n;
         if (n) result.dots[r] = std::array{dot(*n, result.tangents[0]), dot(*n, result.tangents[1])};
     }
-    if (const auto right = world_from_object(probe.normal); right && result.normals[0])
-        result.error_degrees = angle_degrees(result.normals[0]->xyz, right->xyz);
+    if (!probe.has_normal()) return result;
+    const auto by_inverse = world_from_object(probe.point, probe.normal);
+    const Normal<World> by_cofactor = transform_normal_by_cofactor(world_from_object.at(probe.point), probe.normal);
+    if (by_inverse || glm::length(by_cofactor.xyz) > 0.0) result.truth = by_inverse.value_or(by_cofactor);
+    if (by_inverse && result.normals[0]) result.error_degrees = angle_degrees(result.normals[0]->xyz, by_inverse->xyz);
     return result;
 }
 
 std::optional<SurfaceHit> first_hit(const Mesh& mesh, const Transform<World, Object>& world_from_object,
                                     const Ray<World>& ray) {
     // In world space, since M may have no inverse. Möller & Trumbore, "Fast, minimum storage ray/triangle intersection", 1997.
-    std::vector<glm::dvec3> world(mesh.positions.size());
-    for (std::size_t i = 0; i < world.size(); ++i) world[i] = world_from_object(Point<Object>{mesh.positions[i]}).xyz;
+    const std::vector<glm::dvec3> world = images(mesh, world_from_object);
 
     // The middle of the picture often looks at an edge or a corner; rounding must not let the ray slip between the
     // triangles there and find the object's far side.
@@ -117,7 +140,7 @@ std::optional<SurfaceHit> first_hit(const Mesh& mesh, const Transform<World, Obj
     }
     if (!triangle) return std::nullopt;
     barycentric /= barycentric.x + barycentric.y + barycentric.z;
-    return SurfaceHit{probe_at(mesh, *triangle, barycentric), nearest};
+    return SurfaceHit{probe_at(mesh, *triangle, before(world_from_object, mesh, *triangle, barycentric)), nearest};
 }
 
 std::optional<std::size_t> nearest_triangle(const Mesh& mesh, Point<Object> p) {
@@ -148,9 +171,8 @@ std::optional<Probe> probe_in_view(const Mesh& mesh, const Transform<World, Obje
     if (const auto hit = first_hit(mesh, world_from_object, view.ray(pixel))) return hit->probe;
 
     // The ray misses: nothing covers the pixel, so the nearest edge in the picture is one that the camera sees.
-    std::vector<glm::dvec3> pixels(mesh.positions.size());
-    for (std::size_t i = 0; i < pixels.size(); ++i)
-        pixels[i] = view.pixel(world_from_object(Point<Object>{mesh.positions[i]}));
+    std::vector<glm::dvec3> pixels = images(mesh, world_from_object);
+    for (glm::dvec3& p : pixels) p = view.pixel({p});
     double nearest = std::numeric_limits<double>::infinity(), nearest_depth = 0.0;
     const glm::uvec3* triangle = nullptr;
     glm::dvec3 barycentric(0.0);
@@ -158,7 +180,7 @@ std::optional<Probe> probe_in_view(const Mesh& mesh, const Transform<World, Obje
         for (int k = 0; k < 3; ++k) {
             const int l = (k + 1) % 3;
             const glm::dvec3 &a = pixels[t[k]], &b = pixels[t[l]];
-            if (a.z <= 0.0 || b.z <= 0.0) continue;
+            if (!(a.z > 0.0 && b.z > 0.0)) continue;
             const glm::dvec2 ab = glm::dvec2(b) - glm::dvec2(a), ap = pixel - glm::dvec2(a);
             const double length2 = glm::dot(ab, ab);
             const double s = length2 > 0.0 ? glm::clamp(glm::dot(ap, ab) / length2, 0.0, 1.0) : 0.0;
@@ -175,7 +197,7 @@ std::optional<Probe> probe_in_view(const Mesh& mesh, const Transform<World, Obje
             barycentric[k] = 1.0 - barycentric[l];
         }
     if (!triangle) return std::nullopt;
-    return probe_at(mesh, *triangle, barycentric);
+    return probe_at(mesh, *triangle, before(world_from_object, mesh, *triangle, barycentric));
 }
 
 }  // namespace normalscope

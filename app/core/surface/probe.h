@@ -34,11 +34,15 @@ Probe probe_with(Point<Object> point, Normal<Object> n);
 struct ProbeInWorld {
     Probe object;
     Point<World> point;
-    std::array<Vector<World>, 2> tangents;                ///< M3 t
-    std::array<std::optional<Normal<World>>, 3> normals;  ///< in the order of kRules, not normalised
+    std::array<Vector<World>, 2> tangents;         ///< as M sends them there: M3 t where it is affine
+    ByRule<std::optional<Normal<World>>> normals;  ///< not normalised
     /// n·t for each rule and tangent; empty where the rule gives no normal.
-    std::array<std::optional<std::array<double, 2>>, 3> dots;
-    std::optional<double> error_degrees;  ///< between the naive and the true normal
+    ByRule<std::optional<std::array<double, 2>>> dots;
+    /// The normal of the image, not normalised: the inverse transpose's or, where only that exists, the cofactor's; where
+    /// M is not affine, of the Jacobian there, and so no rule's. Empty where the image has none.
+    std::optional<Normal<World>> truth;
+    bool affine = true;                   ///< M is
+    std::optional<double> error_degrees;  ///< between the naive and the true normal; empty where M has no inverse
 };
 
 ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& world_from_object);

@@ -10,11 +10,6 @@
 
 namespace normalscope {
 
-Vector<World> toward(const Light& light) {
-    const double a = glm::radians(light.azimuth), e = glm::radians(light.elevation);
-    return {{std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)}};
-}
-
 std::array<Point<World>, 2> aim(const AimedRay& ray, const Camera& camera, const CameraView& view) {
     const Point<World> target = ray.toward.value_or(camera.target);
     // Beside the camera: from the eye itself it would be seen end on.
@@ -31,7 +26,7 @@ RaySteps ray_steps(const Scene& scene, const Surface& surface, const Transform<W
     const auto [from, target] = aim(scene.ray.value_or(AimedRay{}), scene.camera, view);
     const double length = glm::length((target - from).xyz);
     s.world = {from, length > 0.0 ? (1.0 / length) * (target - from) : Vector<World>{{0.0, 0.0, -1.0}}};
-    s.toward_light = toward(scene.light);
+    s.toward_light = scene.light.vector();
     const auto ends = [&](RaySteps::End end, int step) {
         s.end = end;
         s.last_step = step;

@@ -52,7 +52,4 @@ RaySteps ray_steps(const Scene& scene, const Surface& surface, const Transform<W
 /// Where the scene's ray starts and what it is aimed at, with what it leaves to the view.
 std::array<Point<World>, 2> aim(const AimedRay& ray, const Camera& camera, const CameraView& view);
 
-/// The scene's light as a unit vector.
-Vector<World> toward(const Light& light);
-
 }  // namespace normalscope

@@ -49,7 +49,8 @@ public:
         const int wide = columns + (wrap_u ? 0 : 1), high = rows + (wrap_v ? 0 : 1);
         std::vector<std::uint32_t> index(static_cast<std::size_t>(wide) * static_cast<std::size_t>(high));
         const auto slot = [&](int i, int j) -> std::uint32_t& {
-            return index[static_cast<std::size_t>((j % high) * wide + i % wide)];
+            const int k = (j % high) * wide + i % wide;
+            return index[static_cast<std::size_t>(k)];
         };
         for (int j = 0; j < high; ++j)
             for (int i = 0; i < wide; ++i) slot(i, j) = vertex(at(double(i) / columns, double(j) / rows));
@@ -63,6 +64,26 @@ private:
     Mesh mesh_;
     std::uint32_t faces_ = 0;
 };
+
+struct LatticeVertex {
+    int coarseness;  // how many times coarser a lattice it would still be part of
+    glm::dvec3 p;
+};
+
+// On the unit sphere. The first vertices are the coarsest lattice's, so that every n-th arrow is evenly spread, too.
+Mesh from_coarse_to_fine(const std::vector<LatticeVertex>& vertices, const std::vector<glm::uvec3>& triangles) {
+    std::vector<std::uint32_t> order(vertices.size()), place(vertices.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::ranges::stable_sort(order, [&](auto a, auto b) { return vertices[a].coarseness > vertices[b].coarseness; });
+    Mesh mesh;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        place[order[i]] = static_cast<std::uint32_t>(i);
+        mesh.positions.push_back(vertices[order[i]].p);
+        mesh.normals.push_back(vertices[order[i]].p);
+    }
+    for (const glm::uvec3& t : triangles) mesh.triangles.push_back({place[t.x], place[t.y], place[t.z]});
+    return mesh;
+}
 
 // A geodesic sphere: each face of the icosahedron in frequency² triangles, so that arrows on it are evenly spread.
 Mesh sphere(int resolution) {
@@ -84,11 +105,7 @@ Mesh sphere(int resolution) {
                                                  {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
                                                  {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}}};
     const int f = std::max(1, (resolution + 2) / 4);
-    struct Lattice {
-        int coarseness;  // how many times coarser a lattice this vertex would still be part of
-        glm::dvec3 p;
-    };
-    std::vector<Lattice> vertices;
+    std::vector<LatticeVertex> vertices;
     std::vector<glm::uvec3> triangles;
     // Vertices on the icosahedron's edges belong to several faces: find them again by their rounded place.
     struct Less {
@@ -119,18 +136,7 @@ Mesh sphere(int resolution) {
             std::swap(below, row);
         }
     }
-
-    std::vector<std::uint32_t> order(vertices.size()), place(vertices.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::ranges::stable_sort(order, [&](auto a, auto b) { return vertices[a].coarseness > vertices[b].coarseness; });
-    Mesh mesh;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        place[order[i]] = static_cast<std::uint32_t>(i);
-        mesh.positions.push_back(vertices[order[i]].p);
-        mesh.normals.push_back(vertices[order[i]].p);
-    }
-    for (const glm::uvec3& t : triangles) mesh.triangles.push_back({place[t.x], place[t.y], place[t.z]});
-    return mesh;
+    return from_coarse_to_fine(vertices, triangles);
 }
 
 // A flat convex polygon as one face with its own vertices, so that its corners keep the face's normal.

@@ -296,17 +296,14 @@ std::optional<Point<Object>> singular_near(const ImplicitSurface& surface, Point
     return surface.inside_clip(found.xyz) ? std::optional(found) : std::nullopt;
 }
 
-glm::dvec3 toward(const Borrow& borrow) {
-    const double a = glm::radians(borrow.azimuth), e = glm::radians(borrow.elevation);
-    return {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
-}
-
-std::optional<SingularPoint::Neighbour> lender(const ImplicitSurface& surface, Point<Object> p, const Borrow& borrow) {
+std::optional<SingularPoint::Neighbour> lender(const ImplicitSurface& surface, Point<Object> p,
+                                               const Direction<Object>& borrow) {
     return nearest(surface, p.xyz, neighbours(surface, p, SingularPoint::kLenders * surface.source().bound),
-                   toward(borrow));
+                   borrow.vector().xyz);
 }
 
-SingularPoint singular_point(const ImplicitSurface& surface, Point<Object> p, const std::optional<Borrow>& borrow) {
+SingularPoint singular_point(const ImplicitSurface& surface, Point<Object> p,
+                             const std::optional<Direction<Object>>& borrow) {
     SingularPoint result;
     result.at = p;
     result.undefined = !finite(surface.at(p).gradient);
@@ -316,7 +313,7 @@ SingularPoint singular_point(const ImplicitSurface& surface, Point<Object> p, co
     }
     const auto lenders = neighbours(surface, p, SingularPoint::kLenders * surface.source().bound);
     result.spread_degrees = spread(lenders);
-    if (borrow) result.lender = nearest(surface, p.xyz, lenders, toward(*borrow));
+    if (borrow) result.lender = nearest(surface, p.xyz, lenders, borrow->vector().xyz);
     return result;
 }
 

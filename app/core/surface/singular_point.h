@@ -35,11 +35,10 @@ bool is_singular(const ImplicitSurface& surface, Point<Object> p);
 std::optional<Point<Object>> singular_near(const ImplicitSurface& surface, Point<Object> p, double reach);
 
 /// The neighbour in the direction nearest to what the scene borrows from.
-std::optional<SingularPoint::Neighbour> lender(const ImplicitSurface& surface, Point<Object> p, const Borrow& borrow);
+std::optional<SingularPoint::Neighbour> lender(const ImplicitSurface& surface, Point<Object> p,
+                                               const Direction<Object>& borrow);
 /// All about a point that is singular.
-SingularPoint singular_point(const ImplicitSurface& surface, Point<Object> p, const std::optional<Borrow>& borrow);
-
-/// The direction of a neighbour, as a unit vector.
-glm::dvec3 toward(const Borrow& borrow);
+SingularPoint singular_point(const ImplicitSurface& surface, Point<Object> p,
+                             const std::optional<Direction<Object>>& borrow);
 
 }  // namespace normalscope

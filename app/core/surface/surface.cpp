@@ -39,13 +39,16 @@ std::shared_ptr<const Surface> SurfaceCache::get(const Scene& scene) {
         scene.arrows.at == ArrowPlacement::Faces && !std::holds_alternative<FormulaSurface>(scene.surface);
     auto surface = std::make_shared<Surface>();
     if (!same_mesh) {
-        std::shared_ptr<const ImplicitSurface> implicit;
+        std::shared_ptr<ImplicitSurface> implicit;
         surface->mesh = std::visit(Overload{[](const ShapeSurface& shape) { return make_shape(shape); },
                                             [](const MeshSurface& file) { return load_mesh(file.mesh); },
                                             [&](const FormulaSurface& formula) {
-                                                implicit = std::make_shared<const ImplicitSurface>(formula);
+                                                implicit = std::make_shared<ImplicitSurface>(formula);
                                                 Mesh mesh = polygonised(*implicit, kFormulaCells);
-                                                mesh.note = note_on(*implicit, mesh);
+                                                implicit->check_floats(mesh);
+                                                FormulaNote note = note_on(*implicit, mesh);
+                                                if (!note.text.empty()) mesh.notes.push_back(std::move(note.text));
+                                                if (!note.drawn) implicit->hide();
                                                 return mesh;
                                             }},
                                    scene.surface);
@@ -86,7 +89,7 @@ Mesh flat_shaded(const Mesh& mesh) {
     flat.face_of_triangle = mesh.face_of_triangle;
     flat.closed = mesh.closed;
     flat.normal_source = mesh.normal_source;
-    flat.note = mesh.note;
+    flat.notes = mesh.notes;
     flat.positions.reserve(3 * mesh.triangles.size());
     flat.normals.reserve(3 * mesh.triangles.size());
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -134,14 +137,17 @@ std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMa
 }
 
 std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMap& naive,
-                                                const NormalMatrices& matrices) {
-    if (!matrices.inverse_transpose) return std::nullopt;
-    if (naive == NormalMap{.matrix = glm::dmat4(matrices.naive)}) return error_statistics(mesh, matrices);
+                                                const Transform<World, Object>& world_from_object) {
+    const NormalMatrices& matrices = world_from_object.normal_matrices_by_rule();
+    if (world_from_object.affine() && naive == NormalMap{.matrix = glm::dmat4(matrices.naive)})
+        return error_statistics(mesh, matrices);
     ErrorStatistics statistics;
     double sum = 0.0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
-        const auto error = angle_degrees(naive({mesh.normals[i]}).xyz, *matrices.inverse_transpose * mesh.normals[i]);
+        const Normal<Object> n{mesh.normals[i]};
+        const auto right = world_from_object(Point<Object>{mesh.positions[i]}, n);
+        const auto error = right ? angle_degrees(naive(n).xyz, right->xyz) : std::nullopt;
         if (!error) continue;
         sum += *error;
         if (count++ == 0 || *error > statistics.worst_degrees) {

@@ -50,9 +50,10 @@ struct ErrorStatistics {
 /// Empty where the inverse transpose does not exist, or the surface has no normal.
 std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMatrices& matrices);
 
-/// The same for another map in the naive rule's place, such as a scene's mistake.
+/// The same for another map in the naive rule's place, such as a scene's mistake, and any M: of what has an image, and held
+/// against the normal at each place. Empty where M has no inverse.
 std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMap& naive,
-                                                const NormalMatrices& matrices);
+                                                const Transform<World, Object>& world_from_object);
 
 /// The angle between the naive and the true image of `n`; empty where either does not exist.
 std::optional<double> error_degrees(const NormalMatrices& matrices, Normal<Object> n);

@@ -9,12 +9,14 @@ namespace normalscope {
 
 std::optional<SurfaceHit> first_hit(const Surface& surface, const Transform<World, Object>& world_from_object,
                                     const Ray<World>& ray);
-std::optional<Probe> nearest_probe(const Surface& surface, Point<Object> p, const std::optional<Borrow>& borrow = {});
+std::optional<Probe> nearest_probe(const Surface& surface, Point<Object> p,
+                                   const std::optional<Direction<Object>>& borrow = {});
 std::optional<Probe> probe_in_view(const Surface& surface, const Transform<World, Object>& world_from_object,
-                                   const CameraView& view, glm::dvec2 pixel, const std::optional<Borrow>& borrow = {});
+                                   const CameraView& view, glm::dvec2 pixel,
+                                   const std::optional<Direction<Object>>& borrow = {});
 
 /// The probe at a point of f = 0. Where ∇f is zero or does not exist there is no normal, unless one is to be borrowed from
 /// a neighbour on the surface, and there is one that has its own.
-Probe probe_on(const ImplicitSurface& surface, Point<Object> p, const std::optional<Borrow>& borrow = {});
+Probe probe_on(const ImplicitSurface& surface, Point<Object> p, const std::optional<Direction<Object>>& borrow = {});
 
 }  // namespace normalscope

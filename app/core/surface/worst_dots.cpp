@@ -1,11 +1,11 @@
 #include "core/surface/worst_dots.h"
 
-#include "core/base/threads.h"
+#include "core/base/beside.h"
+#include "core/surface/probe.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <thread>
 #include <vector>
 
 // The compiler makes the blocks' loops twice, for processors with AVX2 and without, and the one that fits is taken as
@@ -119,9 +119,8 @@ void look_at(std::span<const glm::dvec3> normals, const Task& task, WorstByRule&
 
 }  // namespace
 
-std::array<std::optional<double>, 3> worst_dots(std::span<const glm::dvec3> normals,
-                                                const std::array<std::optional<NormalMap>, 3>& maps,
-                                                const glm::dmat3& tangents) {
+ByRule<std::optional<double>> worst_dots(std::span<const glm::dvec3> normals,
+                                         const ByRule<std::optional<NormalMap>>& maps, const glm::dmat3& tangents) {
     Task task{.rules = {}, .tangents = scale(tangents) * tangents};
     for (std::size_t k = 0; k < maps.size(); ++k)
         if (maps[k]) task.rules[k] = affine(*maps[k]);
@@ -133,20 +132,45 @@ std::array<std::optional<double>, 3> worst_dots(std::span<const glm::dvec3> norm
     }
     std::vector<WorstByRule> worst(threads, none);
     {
-        std::vector<std::jthread> workers;
+        std::vector<Beside<void>> workers;
         const std::size_t part = (normals.size() + threads - 1) / threads;
         const auto from = [&](std::size_t i) { return std::min(i * part, normals.size()); };
         for (std::size_t i = 1; i < threads; ++i)
-            workers.emplace_back([&, i] { look_at(normals.subspan(from(i), from(i + 1) - from(i)), task, worst[i]); });
+            workers.push_back(
+                beside([&, i] { look_at(normals.subspan(from(i), from(i + 1) - from(i)), task, worst[i]); }));
         look_at(normals.subspan(0, from(1)), task, worst[0]);
+        for (Beside<void>& worker : workers) worker.get();
     }
-    std::array<std::optional<double>, 3> result;
+    ByRule<std::optional<double>> result;
     for (std::size_t k = 0; k < maps.size(); ++k) {
         if (!maps[k]) continue;
         double most = 0.0;
         for (const WorstByRule& one : worst)
             for (std::size_t i = 0; i < kBlock; ++i) most = std::max(most, one[k].above[i] / one[k].below[i]);
         result[k] = std::min(std::sqrt(most), 1.0);
+    }
+    return result;
+}
+
+ByRule<std::optional<double>> worst_dots(const Mesh& mesh, const ByRule<std::optional<NormalMap>>& maps,
+                                         const Transform<World, Object>& world_from_object) {
+    if (world_from_object.affine())
+        return worst_dots(mesh.normals, maps, world_from_object.normal_matrices_by_rule().naive);
+    ByRule<std::optional<double>> result;
+    for (std::size_t k = 0; k < maps.size(); ++k)
+        if (maps[k]) result[k] = 0.0;
+    for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
+        const Point<Object> p{mesh.positions[i]};
+        const Normal<Object> n{mesh.normals[i]};
+        if (n.xyz == glm::dvec3(0.0) || !world_from_object.reaches(p)) continue;
+        const std::array<Vector<Object>, 2> tangents = probe_with(p, n).tangents;
+        for (std::size_t k = 0; k < maps.size(); ++k)
+            for (const Vector<Object>& t : tangents) {
+                if (!maps[k]) continue;
+                const glm::dvec3 sent = (*maps[k])(n).xyz, along = world_from_object(p, t).xyz;
+                const double lengths = glm::length(sent) * glm::length(along);
+                if (lengths > 0.0) *result[k] = std::max(*result[k], std::abs(glm::dot(sent, along)) / lengths);
+            }
     }
     return result;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/math/transform.h"
+#include "core/mesh/mesh.h"
 #include "core/scene/mistakes.h"
 
 #include <glm/mat3x3.hpp>
@@ -15,8 +17,12 @@ namespace normalscope {
 /// space and two tangents at right angles that `tangents` has sent there. 0 but for rounding where the map keeps normals
 /// perpendicular; empty where there is no map. `normals` are of unit length in object space, or zero where there is none.
 /// What is sent to zero does not count. Works in blocks, on several threads where there are many.
-std::array<std::optional<double>, 3> worst_dots(std::span<const glm::dvec3> normals,
-                                                const std::array<std::optional<NormalMap>, 3>& maps,
-                                                const glm::dmat3& tangents);
+ByRule<std::optional<double>> worst_dots(std::span<const glm::dvec3> normals,
+                                         const ByRule<std::optional<NormalMap>>& maps, const glm::dmat3& tangents);
+
+/// The same under an M that need not be affine, which sends tangents somewhere else at each place: of the vertices that
+/// have an image.
+ByRule<std::optional<double>> worst_dots(const Mesh& mesh, const ByRule<std::optional<NormalMap>>& maps,
+                                         const Transform<World, Object>& world_from_object);
 
 }  // namespace normalscope

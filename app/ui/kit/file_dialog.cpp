@@ -1,14 +1,14 @@
 #include "ui/kit/file_dialog.h"
 
 #include "core/base/error.h"
-#include "core/lessons/lesson.h"
+#include "core/lessons/open.h"
+#include "core/mesh/mesh_file.h"
 #include "ui/kit/widgets.h"
 
 #include <misc/cpp/imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -23,41 +23,49 @@ using For = FileDialog::For;
 constexpr const char* kId = "##files";
 
 struct Purpose {
-    const char *title, *action, *filter;
+    const char *title, *action;
     std::string_view ending;  ///< added to a name that has none; empty: never
     std::string_view name;    ///< to begin with
 };
 constexpr std::array<Purpose, 4> kPurposes{{
-    {"Open a scene or a mesh", "Open", "scenes and meshes (.json .obj .ply .stl)", "", ""},
-    {"Open a mesh", "Open", "meshes (.obj .ply .stl)", "", ""},
-    {"Save the scene", "Save", "scenes (.json)", ".json", "scene.json"},
-    {"Save the picture", "Save", "pictures (.png, or .svg: its vector parts)", ".png", "normalscope.png"},
+    {"Open a scene or a mesh", "Open", "", ""},
+    {"Open a mesh", "Open", "", ""},
+    {"Save the scene", "Save", ".json", "scene.json"},
+    {"Save the picture", "Save", ".png", "normalscope.png"},
 }};
 const Purpose& about(For purpose) { return kPurposes[static_cast<std::size_t>(purpose)]; }
 
-std::span<const std::string_view> endings(For purpose) {
-    static constexpr std::array<std::string_view, 4> kAny{".json", ".obj", ".ply", ".stl"};
-    static constexpr std::array<std::string_view, 2> kPicture{".png", ".svg"};
+std::vector<std::string_view> endings(For purpose) {
+    std::vector<std::string_view> meshes = mesh_endings();
     switch (purpose) {
-        case For::OpenAny: return kAny;
-        case For::OpenMesh: return std::span(kAny).subspan(1);
-        case For::SaveScene: return std::span(kAny).first(1);
-        case For::SavePicture: return kPicture;
+        case For::OpenAny: meshes.insert(meshes.begin(), ".json"); return meshes;
+        case For::OpenMesh: return meshes;
+        case For::SaveScene: return {".json"};
+        case For::SavePicture: return {".png", ".svg"};
     }
     return {};
 }
 
-// Not a lesson's: its steps would be lost.
+std::string filter(For purpose) {
+    switch (purpose) {
+        case For::OpenAny: return "scenes and meshes (.json " + mesh_endings_in_words(" ", " ") + ")";
+        case For::OpenMesh: return "meshes (" + mesh_endings_in_words(" ", " ") + ")";
+        case For::SaveScene: return "scenes (.json)";
+        case For::SavePicture: return "pictures (.png, or .svg: its vector parts)";
+    }
+    return {};
+}
+
+}  // namespace
+
 bool is_scene_file(const fs::path& file) {
     std::error_code error;
     try {
-        return file.extension() == ".json" && fs::is_regular_file(file, error) && !is_lesson(file.string());
+        return file.extension() == ".json" && fs::is_regular_file(file, error) && !is_lesson_file(file);
     } catch (const InputError&) {
         return false;
     }
 }
-
-}  // namespace
 
 void FileDialog::open(For purpose) {
     if (purpose != purpose_ || name_.empty()) name_ = about(purpose).name;
@@ -72,9 +80,10 @@ void FileDialog::open(For purpose) {
 }
 
 void FileDialog::enter(const fs::path& folder) {
-    const auto filter = all_files_ ? std::span<const std::string_view>{} : endings(purpose_);
+    const std::vector<std::string_view> shown_endings =
+        all_files_ ? std::vector<std::string_view>{} : endings(purpose_);
     listed_anew_ = true;
-    Folder next = read_folder(folder.empty() ? fs::path("/") : folder, filter);
+    Folder next = read_folder(folder.empty() ? fs::path("/") : folder, shown_endings);
     complaint_ = next.error;
     // An unreadable folder is not entered, unless there is nothing else to show.
     if (next.error.empty() || folder_.path.empty()) folder_ = std::move(next);
@@ -135,6 +144,7 @@ void FileDialog::list(const Look& look, Requests& requests) {
                 const ImVec2 at = ImGui::GetCursorScreenPos();
                 const bool pressed = ImGui::Selectable("##entry", !entry.folder && entry.name == name_,
                                                        ImGuiSelectableFlags_AllowDoubleClick);
+                if (pressed) focus_name_ = true;  // whoever goes on typing, types there
                 // A folder opens by one click: there is nothing else to do with it.
                 if (pressed && entry.folder) to_enter = resolved(entry.name, folder_.path);
                 if (pressed && !entry.folder) {
@@ -158,6 +168,87 @@ void FileDialog::list(const Look& look, Requests& requests) {
     if (chosen) choose(requests);
 }
 
+void FileDialog::close() {
+    open_ = false;
+    ImGui::CloseCurrentPopup();
+}
+
+void FileDialog::title(const Look& look) {
+    ImGui::PushFont(look.fonts.strong);
+    ImGui::TextUnformatted(about(purpose_).title);
+    ImGui::PopFont();
+
+    if (icon_button(look, "##parent",
+                    {.icon = Icon::Up,
+                     .about = "To the folder above",
+                     .enabled = folder_.path.has_relative_path(),
+                     .side = 30}))
+        enter(folder_.path.parent_path());
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    dim_text(look, shortened(shown(folder_.path), ImGui::GetContentRegionAvail().x));
+    tip(look, shown(folder_.path).c_str());
+}
+
+void FileDialog::name_field(Requests& requests) {
+    if (std::exchange(focus_name_, false)) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1);
+    if (ImGui::InputTextWithHint("##name", saves() ? "name, or a path" : "type a name or a path", &name_,
+                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll)) {
+        focus_name_ = true;
+        choose(requests);
+    }
+    if (ImGui::IsItemEdited()) {
+        to_overwrite_.clear();
+        complaint_.clear();
+    }
+}
+
+void FileDialog::complaint(const Look& look) const {
+    if (complaint_.empty() && to_overwrite_.empty()) return;
+    const std::string text =
+        to_overwrite_.empty() ? complaint_ : shown(to_overwrite_.filename()) + " is there already. Overwrite it?";
+    ImGui::PushStyleColor(ImGuiCol_Text, look.bad);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+void FileDialog::buttons(const Look& look, Requests& requests) {
+    const Purpose& purpose = about(purpose_);
+    const float button = look.px(108), gap = look.px(8);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + look.px(4));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(4), look.px(1)));
+    if (ImGui::Checkbox("all files", &all_files_)) {
+        enter(folder_.path);
+        focus_name_ = true;
+    }
+    ImGui::PopStyleVar();
+    tip(look, ("Otherwise only " + filter(purpose_)).c_str());
+    if (purpose_ == For::SavePicture) {
+        ImGui::SameLine(0, look.px(16));
+        if (ImGui::Button("Copy as command")) {
+            requests.copy_command = true;
+            close();
+        }
+        tip(look, "Copies the command line that draws this picture, for scripts and tests (Ctrl+C)");
+    }
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * button - gap);
+    const bool cancel = ImGui::Button("Cancel", {button, 0});
+    ImGui::SameLine(0, gap);
+    ImGui::BeginDisabled(name_.empty());
+    ImGui::PushStyleColor(ImGuiCol_Button, look.accent);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(look.accent, 0.85f));
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(look.accent, 0.7f));
+    ImGui::PushStyleColor(ImGuiCol_Text, look.on_accent);
+    const bool accepted = ImGui::Button(to_overwrite_.empty() ? purpose.action : "Overwrite", {button, 0});
+    ImGui::PopStyleColor(4);
+    ImGui::EndDisabled();
+    if (accepted) choose(requests);
+    if (open_ && (cancel || ImGui::IsKeyPressed(ImGuiKey_Escape, false))) close();
+}
+
 void FileDialog::draw(const Look& look, ExtraLetters& letters, Requests& requests) {
     if (appearing_) ImGui::OpenPopup(kId);
     appearing_ = false;
@@ -179,72 +270,12 @@ void FileDialog::draw(const Look& look, ExtraLetters& letters, Requests& request
         open_ = false;  // Escape closes modals that have the keyboard
         return;
     }
-    const Purpose& purpose = about(purpose_);
-    ImGui::PushFont(look.fonts.strong);
-    ImGui::TextUnformatted(purpose.title);
-    ImGui::PopFont();
-
-    if (icon_button(look, "##parent", Icon::Up, "To the folder above", folder_.path.has_relative_path(), 30))
-        enter(folder_.path.parent_path());
-    ImGui::SameLine();
-    ImGui::AlignTextToFramePadding();
-    dim_text(look, shortened(shown(folder_.path), ImGui::GetContentRegionAvail().x));
-    tip(look, shown(folder_.path).c_str());
-    list(look, requests);
-    if (!open_) return ImGui::EndPopup();
-
-    if (std::exchange(focus_name_, false)) ImGui::SetKeyboardFocusHere();
-    ImGui::SetNextItemWidth(-1);
-    if (ImGui::InputTextWithHint("##name", saves() ? "name, or a path" : "type a name or a path", &name_,
-                                 ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll)) {
-        focus_name_ = true;
-        choose(requests);
-    }
-    if (ImGui::IsItemEdited()) {
-        to_overwrite_.clear();
-        complaint_.clear();
-    }
-    if (!open_) return ImGui::EndPopup();
-    if (!complaint_.empty() || !to_overwrite_.empty()) {
-        const std::string text =
-            to_overwrite_.empty() ? complaint_ : shown(to_overwrite_.filename()) + " is there already. Overwrite it?";
-        ImGui::PushStyleColor(ImGuiCol_Text, look.bad);
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted(text.c_str());
-        ImGui::PopTextWrapPos();
-        ImGui::PopStyleColor();
-    }
-
-    const float button = look.px(108), gap = look.px(8);
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + look.px(4));
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(4), look.px(1)));
-    if (ImGui::Checkbox("all files", &all_files_)) enter(folder_.path);
-    ImGui::PopStyleVar();
-    tip(look, (std::string("Otherwise only ") + purpose.filter).c_str());
-    if (purpose_ == For::SavePicture) {
-        ImGui::SameLine(0, look.px(16));
-        if (ImGui::Button("Copy as command")) {
-            requests.copy_command = true;
-            open_ = false;
-            ImGui::CloseCurrentPopup();
-        }
-        tip(look, "Copies the command line that draws this picture, for scripts and tests (Ctrl+C)");
-    }
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - 2 * button - gap);
-    const bool cancel = ImGui::Button("Cancel", {button, 0});
-    ImGui::SameLine(0, gap);
-    ImGui::BeginDisabled(name_.empty());
-    ImGui::PushStyleColor(ImGuiCol_Button, look.accent);
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(look.accent, 0.85f));
-    ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(look.accent, 0.7f));
-    ImGui::PushStyleColor(ImGuiCol_Text, look.on_accent);
-    const bool accepted = ImGui::Button(to_overwrite_.empty() ? purpose.action : "Overwrite", {button, 0});
-    ImGui::PopStyleColor(4);
-    ImGui::EndDisabled();
-    if (accepted) choose(requests);
-    if (open_ && (cancel || ImGui::IsKeyPressed(ImGuiKey_Escape, false))) {
-        open_ = false;
-        ImGui::CloseCurrentPopup();
+    title(look);
+    list(look, requests);  // which may close it, as the name's field may
+    if (open_) name_field(requests);
+    if (open_) {
+        complaint(look);
+        buttons(look, requests);
     }
     ImGui::EndPopup();
 }

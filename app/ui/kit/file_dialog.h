@@ -9,6 +9,9 @@
 
 namespace normalscope {
 
+/// A scene's file. Not a lesson's: saving a scene to it would lose its steps.
+bool is_scene_file(const std::filesystem::path& file);
+
 /// A dialog for one file at a time, in the window itself: it looks the same everywhere, and needs no toolkit.
 class FileDialog {
 public:
@@ -24,7 +27,14 @@ public:
 
 private:
     bool saves() const { return purpose_ == For::SaveScene || purpose_ == For::SavePicture; }
+    // Its parts, from top to bottom.
+    void title(const Look& look);
     void list(const Look& look, Requests& requests);
+    void name_field(Requests& requests);
+    void complaint(const Look& look) const;
+    void buttons(const Look& look, Requests& requests);
+
+    void close();
     void choose(Requests& requests);
     void finish(const std::filesystem::path& file, Requests& requests);
     void enter(const std::filesystem::path& folder);

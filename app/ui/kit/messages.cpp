@@ -82,7 +82,7 @@ void Messages::draw(const Look& look, const Frame& frame) {
     ImGui::PopTextWrapPos();
     if (error_) {
         ImGui::SetCursorPos({size.x - look.px(36), look.px(5)});
-        if (icon_button(look, "##dismiss", Icon::Close, "Dismiss (Esc)", true, 28)) text_.clear();
+        if (icon_button(look, "##dismiss", {.icon = Icon::Close, .about = "Dismiss (Esc)", .side = 28})) text_.clear();
     }
     ImGui::End();
     ImGui::PopStyleVar(3);

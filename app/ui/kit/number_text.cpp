@@ -1,8 +1,8 @@
 #include "ui/kit/number_text.h"
 
-#include <array>
+#include "core/base/decimal.h"
+
 #include <cmath>
-#include <cstdio>
 
 namespace normalscope {
 
@@ -13,24 +13,21 @@ constexpr const char* kNone = "\u2014";
 constexpr double kLargestPlain = 9999.9995;  // longer ones would not fit their column
 
 // C's text with every hyphen made a minus sign, but for a sign before nothing but zeros.
-std::string typeset(const char* text) {
+std::string typeset(const std::string& text) {
     std::string result;
-    bool nonzero = false;
-    for (const char* c = text; *c && *c != 'e'; ++c) nonzero |= *c >= '1' && *c <= '9';
-    for (const char* c = text; *c; ++c) {
-        if (*c == '-')
-            result += c == text && !nonzero ? "" : kMinus;
-        else if (*c != '+')
-            result += *c;
+    const bool nonzero = text.find_first_of("123456789") < text.find('e');
+    for (const char& c : text) {
+        if (c == '-')
+            result += &c == text.data() && !nonzero ? "" : kMinus;
+        else if (c != '+')
+            result += c;
     }
     return result;
 }
 
 // "1.23e9": the exponent without its sign and leading zeros, for which a column has no room.
 std::string scientific(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.1e", value);
-    std::string result = typeset(text.data());
+    std::string result = typeset(with_exponent(value, 1));
     const auto e = result.find('e');
     if (e == std::string::npos) return result;
     const auto digits = result.find_first_of("0123456789", e);
@@ -43,15 +40,13 @@ std::string scientific(double value) {
 std::string fixed(double value, int decimals) {
     if (!std::isfinite(value)) return kNone;
     if (std::abs(value) >= kLargestPlain) return scientific(value);
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-    return typeset(text.data());
+    return typeset(with_decimals(value, decimals));
 }
 
 std::string fixed(const std::optional<double>& value, int decimals) { return value ? fixed(*value, decimals) : kNone; }
 
-std::string fixed_unless_small(double value, bool zero, int decimals) {
-    if (zero || !std::isfinite(value) || std::abs(value) >= 0.5 * std::pow(10.0, -decimals))
+std::string fixed_unless_small(double value, int decimals) {
+    if (value == 0.0 || !std::isfinite(value) || std::abs(value) >= 0.5 * std::pow(10.0, -decimals))
         return fixed(value, decimals);
     return scientific(value);
 }

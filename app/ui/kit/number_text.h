@@ -10,8 +10,8 @@ namespace normalscope {
 std::string fixed(double value, int decimals = 3);
 std::string fixed(const std::optional<double>& value, int decimals = 3);
 
-/// As `fixed`, but a value that would read 0.000 without being `zero` shows its size, such as "−2.1e−7".
-std::string fixed_unless_small(double value, bool zero, int decimals = 3);
+/// As `fixed`, but a value that would read 0.000 without being 0 shows its size, such as "−2.1e−7".
+std::string fixed_unless_small(double value, int decimals = 3);
 
 /// "36.870°", or "—".
 std::string in_degrees(const std::optional<double>& value, int decimals = 3);

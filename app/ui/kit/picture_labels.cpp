@@ -134,11 +134,36 @@ public:
 
     ImVec2 key_size() const { return {look_.px(284), look_.px(64)}; }
 
-    void error_key(ImVec2 low) const {
+    void normals_key(ImVec2 low, const std::string& text) const {
         const ImVec2 size = key_size();
         card(low, {low.x + size.x, low.y + size.y});
         const ImFont* font = look_.fonts.small;
-        plain(font, {low.x + look_.px(16), low.y + look_.px(5)}, to_imgui(colors_.text), "naive rule’s error");
+        plain(font, {low.x + look_.px(16), low.y + look_.px(5)}, to_imgui(colors_.text), text);
+        const float width = (size.x - look_.px(36)) / 3, top = low.y + look_.px(26);
+        for (int k = 0; k < 3; ++k) {
+            const ImVec2 from{low.x + look_.px(16) + static_cast<float>(k) * width, top},
+                to{from.x + width - look_.px(8), top + look_.px(12)};
+            glm::vec3 least(0.5f), most(0.5f);
+            least[k] = 0.0f;
+            most[k] = 1.0f;
+            const ImU32 a = packed(to_imgui(least)), b = packed(to_imgui(most));
+            list_.AddRectFilledMultiColor(from, to, a, b, b, a);
+            list_.AddRect(from, to, packed(faded(to_imgui(colors_.text), 0.35f)));
+            const char axis[] = {"xyz"[k], '\0'};
+            const std::array<std::string, 3> words{"−1", axis, "1"};
+            for (std::size_t i = 0; i < words.size(); ++i)
+                plain(font,
+                      {from.x + (to.x - from.x - extent(font, words[i]).x) * static_cast<float>(i) / 2,
+                       to.y + look_.px(4)},
+                      to_imgui(colors_.text), words[i]);
+        }
+    }
+
+    void error_key(ImVec2 low, const std::string& title) const {
+        const ImVec2 size = key_size();
+        card(low, {low.x + size.x, low.y + size.y});
+        const ImFont* font = look_.fonts.small;
+        plain(font, {low.x + look_.px(16), low.y + look_.px(5)}, to_imgui(colors_.text), title);
         const ImVec2 bar{low.x + look_.px(16), low.y + look_.px(26)},
             end{low.x + size.x - look_.px(20), bar.y + look_.px(12)};
         constexpr int kSteps = 45;
@@ -198,9 +223,12 @@ void draw_words(const Look& look, const Frame& frame) {
         beside = left + size.x + margin;
         if (right - writer.key_size().x < beside) bottom -= size.y + look.px(8);  // no room beside it: above
     }
-    if (!frame.error_legend) return;
-    const ImVec2 size = writer.key_size();
-    writer.error_key({right - size.x < beside ? left : right - size.x, bottom - size.y});
+    if (!frame.color_key) return;
+    const ImVec2 size = writer.key_size(), low{right - size.x < beside ? left : right - size.x, bottom - size.y};
+    if (frame.color_key->of == SurfaceColor::Error)
+        writer.error_key(low, frame.color_key->text);
+    else
+        writer.normals_key(low, frame.color_key->text);
 }
 
 float titles_height(const Look& look, const Frame& frame) {

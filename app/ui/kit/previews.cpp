@@ -1,30 +1,19 @@
 #include "ui/kit/previews.h"
 
 #include "core/base/error.h"
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
 #include "core/picture/preview.h"
 
 #include <algorithm>
-#include <mutex>
-#include <thread>
-#include <utility>
 
 namespace normalscope {
-
-/// What the drawing thread and the interface share.
-struct Previews::Work {
-    std::mutex mutex;
-    std::vector<std::pair<std::size_t, Image>> finished;
-    std::size_t left = 0;
-    std::jthread thread;  // last: it ends before the rest goes
-};
 
 namespace {
 
 constexpr int kColumns = 6;
 constexpr int kGap = 1;  // so that no tile shines through into its neighbour
 
-Image drawn(const std::string& name, int side, const std::stop_token& stop) {
+Image drawn(const std::string& name, int side, const Stop& stop) {
     try {
         const Scene scene = load_scene(name);
         if (const auto* formula = std::get_if<FormulaSurface>(&scene.surface))
@@ -36,27 +25,23 @@ Image drawn(const std::string& name, int side, const std::stop_token& stop) {
 
 }  // namespace
 
-Previews::Previews() = default;
-Previews::~Previews() = default;
-
 void Previews::want(const std::vector<std::string>& scenes, int side) {
     if (side == side_ && scenes == scenes_) return;
-    work_ = std::make_unique<Work>();
+    drawing_.clear();
+    begun_ = 0;
     scenes_ = scenes;
     side_ = side;
     has_room_ = false;
     pictures_.assign(scenes.size(), {});
     in_atlas_.assign(scenes.size(), false);
-    work_->left = scenes.size();
-    work_->thread = std::jthread([&work = *work_, scenes, side](const std::stop_token& stop) {
-        for (std::size_t i = 0; i < scenes.size(); ++i) {
-            Image picture = drawn(scenes[i], side, stop);
-            if (stop.stop_requested()) return;
-            const std::scoped_lock lock(work.mutex);
-            work.finished.emplace_back(i, std::move(picture));
-            --work.left;
-        }
-    });
+    draw_more();
+}
+
+// No more at once than there are processors.
+void Previews::draw_more() {
+    for (; begun_ < scenes_.size() && drawing_.size() < threads_for(scenes_.size(), 1); ++begun_)
+        drawing_.push_back(
+            beside([name = scenes_[begun_], side = side_](const Stop& stop) { return drawn(name, side, stop); }));
 }
 
 void Previews::reserve(ImFontAtlas& atlas) {
@@ -76,12 +61,10 @@ void Previews::place(ImFontAtlas& atlas) {
 }
 
 bool Previews::update(ImFontAtlas& atlas) {
-    if (!work_ || !has_room_) return false;
-    {
-        const std::scoped_lock lock(work_->mutex);
-        for (auto& [i, picture] : work_->finished) pictures_[i] = std::move(picture);
-        work_->finished.clear();
-    }
+    if (!has_room_) return false;
+    for (; !drawing_.empty() && drawing_.front().ready(); drawing_.pop_front())
+        pictures_[begun_ - drawing_.size()] = drawing_.front().get();
+    draw_more();
     bool any = false;
     for (std::size_t i = 0; i < pictures_.size(); ++i) {
         if (in_atlas_[i] || pictures_[i].rgba.empty()) continue;
@@ -100,12 +83,6 @@ bool Previews::update(ImFontAtlas& atlas) {
 glm::ivec2 Previews::corner(std::size_t i) const {
     const int at = static_cast<int>(i);
     return origin_ + (side_ + kGap) * glm::ivec2(at % kColumns, at / kColumns);
-}
-
-bool Previews::busy() const {
-    if (!work_) return false;
-    const std::scoped_lock lock(work_->mutex);
-    return work_->left > 0 || !work_->finished.empty();
 }
 
 std::optional<Previews::Tile> Previews::tile(std::size_t i) const {

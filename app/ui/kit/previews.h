@@ -1,10 +1,11 @@
 #pragma once
 
+#include "core/base/beside.h"
 #include "core/image/image.h"
 
 #include <imgui.h>
 
-#include <memory>
+#include <deque>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,11 +16,6 @@ namespace normalscope {
 /// needs no textures but the one that it has.
 class Previews {
 public:
-    Previews();
-    ~Previews();  ///< ends the drawing
-    Previews(const Previews&) = delete;
-    Previews& operator=(const Previews&) = delete;
-
     /// Begins to draw these built-in scenes, `side` pixels wide and high. Nothing where that is what it does already.
     void want(const std::vector<std::string>& scenes, int side);
     /// True where the atlas has no room for what is wanted: it must be made anew.
@@ -30,7 +26,7 @@ public:
     /// Puts what has been finished into the atlas; true where there was something.
     bool update(ImFontAtlas& atlas);
     /// Some are still being drawn.
-    bool busy() const;
+    bool busy() const { return !drawing_.empty(); }
 
     struct Tile {
         ImVec2 low, high;  ///< texture coordinates
@@ -42,8 +38,8 @@ private:
     /// Where a tile lies in the atlas, in pixels.
     glm::ivec2 corner(std::size_t i) const;
 
-    struct Work;
-    std::unique_ptr<Work> work_;
+    void draw_more();
+
     std::vector<std::string> scenes_;
     int side_ = 0;
     bool has_room_ = false;
@@ -52,6 +48,8 @@ private:
     std::vector<bool> in_atlas_;
     ImVec2 texel_{0, 0};
     glm::ivec2 origin_{0};
+    std::size_t begun_ = 0;                ///< scenes that are or were drawn
+    std::deque<Beside<Image>> drawing_{};  ///< the last of them
 };
 
 }  // namespace normalscope

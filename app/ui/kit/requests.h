@@ -2,11 +2,19 @@
 
 #include "core/surface/surface.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
 
 namespace normalscope {
+
+/// What people have been asked, and the number of the choice that they made.
+enum class Asked { Closing, Recovering, LeavingLesson };
+struct Reply {
+    Asked asked;
+    std::size_t choice;
+};
 
 /// What the interface asks of the program, beyond edits of the scene.
 struct Requests {
@@ -19,8 +27,10 @@ struct Requests {
     bool copy_link = false, copy_equations = false;
     std::optional<std::string> open;       ///< a scene, a mesh, a lesson, or the name of a built-in one
     std::optional<std::string> open_mesh;  ///< a mesh as the scene's surface, all else kept
+    bool save = false;                     ///< to the open file, or to one that is asked for
     std::optional<std::filesystem::path> save_scene;
     std::optional<std::filesystem::path> save_picture;
+    std::optional<Reply> reply;
 };
 
 /// What the interface shows and cannot work out from the scene.

@@ -71,7 +71,8 @@ void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& me
     ImGui::SetCursorPos({margin, look.px(8)});
     tab_row(look, tabs, memory, width - margin - close - look.px(10), false);
     ImGui::SameLine(width - close - look.px(8));
-    const bool closed = icon_button(look, "##close", Icon::Close, "Close: the picture has the room again.");
+    const bool closed =
+        icon_button(look, "##close", {.icon = Icon::Close, .about = "Close: the picture has the room again."});
 
     const std::size_t open = *memory.open;
     if (only_tabs || !tabs[open].draw) {  // or it was chosen just now
@@ -81,7 +82,14 @@ void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& me
     }
     // As in the panel at the left, the scroll bar stands in the margin.
     const float right = margin - ImGui::GetStyle().ScrollbarSize;
-    ImGui::SetCursorPos({1, look.px(kTabsHeight)});
+    ImGui::SetCursorPos({margin + 1, look.px(kTabsHeight)});
+    if (tabs[open].head) {
+        ImGui::BeginChild("##head", {width - 2 * margin - 1, 0}, ImGuiChildFlags_AutoResizeY,
+                          ImGuiWindowFlags_NavFlattened);
+        tabs[open].head(scene, context);
+        ImGui::EndChild();
+    }
+    ImGui::SetCursorPosX(1);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(right, 0));
     ImGui::PushID(static_cast<int>(open));  // each tab scrolls by itself
     const bool shown = ImGui::BeginChild("##tab", {width - 1, 0}, ImGuiChildFlags_AlwaysUseWindowPadding,

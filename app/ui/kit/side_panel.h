@@ -26,7 +26,8 @@ struct SideTab {
     std::string_view id;  ///< for Interface::show_tab
     const char* label;
     const char* about;
-    std::function<void(Scene&, const SideContext&)> draw;  ///< empty: it has a window of its own, below the tabs
+    std::function<void(Scene&, const SideContext&)> draw;    ///< empty: it has a window of its own, below the tabs
+    std::function<void(Scene&, const SideContext&)> head{};  ///< above the column, and stands still
 };
 
 struct SideMemory {

@@ -235,20 +235,20 @@ void direction_bars(const Look& look, const char* id, double& azimuth, double& e
     ImGui::PopID();
 }
 
-bool icon_button(const Look& look, const char* id, Icon icon, const char* about, bool enabled, float side) {
-    ImGui::BeginDisabled(!enabled);
+bool icon_button(const Look& look, const char* id, const IconButton& button) {
+    ImGui::BeginDisabled(!button.enabled);
     ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
-    const bool pressed = ImGui::Button(id, {look.px(side), look.px(side)});
+    const bool pressed = ImGui::Button(id, {look.px(button.side), look.px(button.side)});
     ImGui::PopStyleColor();
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    draw_icon(*ImGui::GetWindowDrawList(), icon, {(low.x + high.x) / 2, (low.y + high.y) / 2}, look.px(side * 0.56f),
-              packed(look.text));
+    draw_icon(*ImGui::GetWindowDrawList(), button.icon, {(low.x + high.x) / 2, (low.y + high.y) / 2},
+              look.px(button.side * 0.56f), packed(look.text));
     ImGui::EndDisabled();
-    tip(look, about);
+    tip(look, button.about);
     return pressed;
 }
 
-bool segmented(const Look& look, const char* id, int& chosen, std::span<const Choice> choices) {
+bool segmented(const Look& look, const char* id, int& chosen, std::span<const Segment> choices) {
     ImGui::PushID(id);
     const float height = ImGui::GetFrameHeight() + look.px(2), inset = look.px(2);
     const float width = (ImGui::CalcItemWidth() - 2 * inset) / static_cast<float>(choices.size());

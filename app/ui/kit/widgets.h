@@ -52,15 +52,20 @@ struct DirectionBar {
 void direction_bars(const Look& look, const char* id, double& azimuth, double& elevation,
                     const DirectionBar& azimuth_bar, const DirectionBar& elevation_bar);
 
-bool icon_button(const Look& look, const char* id, Icon icon, const char* about, bool enabled = true,
-                 float side = 30.0f);
+struct IconButton {
+    Icon icon;
+    const char* about;  ///< for its tooltip
+    bool enabled = true;
+    float side = 30.0f;  ///< logical pixels
+};
+bool icon_button(const Look& look, const char* id, const IconButton& button);
 
-struct Choice {
+struct Segment {
     const char* label;
     const char* about;
 };
 /// Buttons in one row of which one is down. True where another was chosen.
-bool segmented(const Look& look, const char* id, int& chosen, std::span<const Choice> choices);
+bool segmented(const Look& look, const char* id, int& chosen, std::span<const Segment> choices);
 
 /// Text that ends where the column does, or at `right` (window coordinates).
 void text_right(std::string_view text, float right);

@@ -38,10 +38,10 @@ std::size_t columns_of(const Look& look, const Question& question, float width) 
 float choice_width(const Look& look, std::size_t columns, float width) {
     return std::floor((width - static_cast<float>(columns - 1) * look.px(kGap)) / static_cast<float>(columns));
 }
-MathBox choice_box(const Look& look, const Answer& choice, float width) {
+MathBox choice_box(const Look& look, const Choice& choice, float width) {
     return note_box(look, choice.text, width - look.px(30 + 12), Ink::Plain);
 }
-std::string verdict(const Answer& choice) { return (choice.right ? "✓  " : "✗  ") + choice.because; }
+std::string verdict(const Choice& choice) { return (choice.right ? "✓  " : "✗  ") + choice.because; }
 
 float height_of(const Look& look, const MathBox& box) { return box.height() + look.px(kGap); }
 
@@ -55,7 +55,7 @@ float question_height(const Look& look, const Question& question, float width) {
             row = std::max(row, choice_box(look, question.choices[k], each).height());
         height += row + look.px(10 + 5);
     }
-    for (const Answer& choice : question.choices)
+    for (const Choice& choice : question.choices)
         because = std::max(because, height_of(look, note_box(look, verdict(choice), width, Ink::Good)));
     return height + because;
 }
@@ -85,7 +85,7 @@ private:
 };
 
 // A choice as a button with its number, which is also its key.
-bool choice_button(const Look& look, const Answer& choice, std::size_t i, bool chosen, ImVec2 at, ImVec2 size) {
+bool choice_button(const Look& look, const Choice& choice, std::size_t i, bool chosen, ImVec2 at, ImVec2 size) {
     ImGui::SetCursorScreenPos(at);
     const ImVec4 mark = !chosen ? look.dim : choice.right ? look.good : look.bad;
     const bool pressed = ImGui::Button(("##choice" + std::to_string(i)).c_str(), size);
@@ -118,7 +118,7 @@ void draw_question(const Look& look, const Question& question, const StripState&
         column.skip(row + look.px(5));
     }
     if (!state.answer) return;
-    const Answer& chosen = question.choices[*state.answer];
+    const Choice& chosen = question.choices[*state.answer];
     column.put(note_box(look, verdict(chosen), width, chosen.right ? Ink::Good : Ink::Bad));
 }
 
@@ -142,7 +142,7 @@ float draw_ways(const Look& look, const StripState& state, float right, StripReq
         x -= side;
         ImGui::SetCursorPos({x, look.px(4)});
         const char* about = state.count > 0 ? "Leave the lesson; it opens again at this step. (Esc)" : "Leave. (Esc)";
-        if (icon_button(look, "##leave", Icon::Close, about)) requests.close = true;
+        if (icon_button(look, "##leave", {.icon = Icon::Close, .about = about})) requests.close = true;
     }
     for (std::size_t i = state.actions.size(); i-- > 0;) {
         const StripAction& action = state.actions[i];
@@ -152,9 +152,10 @@ float draw_ways(const Look& look, const StripState& state, float right, StripReq
     x -= side + look.px(6);
     ImGui::SetCursorPos({x, look.px(4)});
     const bool more = state.number + 1 < state.count;
-    if (icon_button(look, "##next", Icon::Right,
-                    more ? "Next step (Page Down, right arrow)" : "Next lesson (Page Down, right arrow)",
-                    more || state.goes_on))
+    if (icon_button(look, "##next",
+                    {.icon = Icon::Right,
+                     .about = more ? "Next step (Page Down, right arrow)" : "Next lesson (Page Down, right arrow)",
+                     .enabled = more || state.goes_on}))
         requests.next = true;
     const std::string where = std::to_string(state.number + 1) + " of " + std::to_string(state.count);
     const float wide = ImGui::CalcTextSize(where.c_str()).x;
@@ -163,7 +164,8 @@ float draw_ways(const Look& look, const StripState& state, float right, StripReq
     ImGui::TextUnformatted(where.c_str());
     x -= side + look.px(4);
     ImGui::SetCursorPos({x, look.px(4)});
-    if (icon_button(look, "##previous", Icon::Left, "Previous step (Page Up, left arrow)", state.number > 0))
+    if (icon_button(look, "##previous",
+                    {.icon = Icon::Left, .about = "Previous step (Page Up, left arrow)", .enabled = state.number > 0}))
         requests.previous = true;
     if (state.strayed && text_button(look, "Back to the step",
                                      "The scene has been changed: this shows it as the lesson has it. (Home)", true, x))

@@ -13,7 +13,7 @@ constexpr const char* kUnmoved =
 
 }  // namespace
 
-void Predict::start(std::uint64_t seed, Scene& scene) {
+void Exercises::start(std::uint64_t seed, Scene& scene) {
     before_ = scene_before(scene);
     running_ = true;
     points_ = possible_ = 0;
@@ -21,60 +21,60 @@ void Predict::start(std::uint64_t seed, Scene& scene) {
     begin(0, scene);
 }
 
-Scene Predict::scene_before(const Scene& scene) const {
+Scene Exercises::scene_before(const Scene& scene) const {
     if (!running_) return scene;
     Scene before = before_;
     before.theme = scene.theme;  // the room's light
     return before;
 }
 
-void Predict::leave(Scene& scene) {
+void Exercises::leave(Scene& scene) {
     scene = scene_before(scene);
     stop();
 }
 
-void Predict::begin(int number, Scene& scene) {
+void Exercises::begin(int number, Scene& scene) {
     exercise_ = make_exercise(exercise_.seed, number);
     judgement_.reset();
     answer_.reset();
     hints_ = 0;
     dragging_ = moved_ = asked_unmoved_ = false;
-    guess_.direction = {exercise_.normal.xyz};  // as it is in the object: what people start from
+    arrow_.direction = {exercise_.normal.xyz};  // as it is in the object: what people start from
     show(scene, exercise_.scene);
 }
 
 // The room's light, and how somebody likes to look at it, stay.
-void Predict::show(Scene& scene, const Scene& shown) const {
+void Exercises::show(Scene& scene, const Scene& shown) const {
     const Theme theme = scene.theme;
     scene = shown;
     scene.theme = theme;
 }
 
-void Predict::add_to(Frame& frame, const Scene& scene, double pixel_scale) const {
+void Exercises::add_to(Frame& frame, const Scene& scene, double pixel_scale) const {
     if (!running_ || exercise_.question) return;
-    guess_.add_to(frame, scene.arrows.length, pixel_scale, answered() ? "yours" : "drag");
+    arrow_.add_to(frame, scene.arrows.length, pixel_scale, answered() ? "yours" : "drag");
 }
 
-bool Predict::grab(const Frame& frame, const Scene& scene, double pixel_scale, glm::dvec2 pixel) {
-    return dragging_ = can_turn() && guess_.near(frame, scene.arrows.length, pixel_scale, pixel);
+bool Exercises::grab(const Frame& frame, const Scene& scene, double pixel_scale, glm::dvec2 pixel) {
+    return dragging_ = can_turn() && arrow_.near(frame, scene.arrows.length, pixel_scale, pixel);
 }
 
-void Predict::drag(const Frame& frame, const Scene& scene, double pixel_scale, glm::dvec2 pixel) {
+void Exercises::drag(const Frame& frame, const Scene& scene, double pixel_scale, glm::dvec2 pixel) {
     if (!dragging_) return;
     moved_ = true;
-    guess_.drag_to(frame, scene.arrows.length, pixel_scale, pixel);
+    arrow_.drag_to(frame, scene.arrows.length, pixel_scale, pixel);
 }
 
-void Predict::turn(const Frame& frame, double right, double up) {
+void Exercises::turn(const Frame& frame, double right, double up) {
     if (!can_turn()) return;
     moved_ = true;
-    guess_.turn(frame, right, up);
+    arrow_.turn(frame, right, up);
 }
 
-void Predict::check(Scene& scene) {
+void Exercises::check(Scene& scene) {
     if (!can_turn()) return;
     if (!moved_ && !std::exchange(asked_unmoved_, true)) return;
-    judgement_ = judge(exercise_, guess_.direction, hints_);
+    judgement_ = judge(exercise_, arrow_.direction, hints_);
     points_ += judgement_->points;
     possible_ += kMostPoints;
     const Camera camera = scene.camera;
@@ -82,17 +82,17 @@ void Predict::check(Scene& scene) {
     scene.camera = camera;
 }
 
-void Predict::hint() {
+void Exercises::hint() {
     if (!can_turn()) return;
     hints_ = std::min(hints_ + 1, static_cast<int>(exercise_.hints.size()));
     asked_unmoved_ = false;
 }
 
-void Predict::next(Scene& scene) {
+void Exercises::next(Scene& scene) {
     if (answered()) begin(exercise_.number + 1, scene);
 }
 
-void Predict::choose(std::size_t choice, Scene& scene) {
+void Exercises::choose(std::size_t choice, Scene& scene) {
     if (!exercise_.question || choice >= exercise_.question->choices.size()) return;
     if (!answer_) {  // the first one counts; the others may be looked at
         possible_ += kMostPoints;
@@ -102,7 +102,7 @@ void Predict::choose(std::size_t choice, Scene& scene) {
     answer_ = choice;
 }
 
-Speech Predict::speech() const {
+Speech Exercises::speech() const {
     Speech speech{exercise_.task, {}, {}, exercise_.question};
     if (judgement_) {
         speech.caption = verdict(exercise_, *judgement_);
@@ -116,7 +116,7 @@ Speech Predict::speech() const {
     return speech;
 }
 
-std::vector<Speech> Predict::speeches() const {
+std::vector<Speech> Exercises::speeches() const {
     std::vector<Speech> all{speech()};
     if (exercise_.question) return all;
     for (const std::string& hint : exercise_.hints) all.push_back({exercise_.task, hint, {}, {}});
@@ -126,7 +126,7 @@ std::vector<Speech> Predict::speeches() const {
     return all;
 }
 
-StripState Predict::state() const {
+StripState Exercises::state() const {
     StripState state;
     state.title = "Where does this normal go?   Exercise " + std::to_string(exercise_.number + 1) + ", set " +
                   std::to_string(exercise_.seed) + "   Score " + std::to_string(points_) + " of " +
@@ -141,7 +141,7 @@ StripState Predict::state() const {
     return state;
 }
 
-void Predict::obey(const StripRequests& requests, Scene& scene) {
+void Exercises::obey(const StripRequests& requests, Scene& scene) {
     if (requests.close) return leave(scene);
     if (requests.choose) choose(*requests.choose, scene);
     if (!requests.action) return;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/lessons/exercise.h"
-#include "core/picture/answer_arrow.h"
+#include "core/picture/exercise_arrow.h"
 #include "ui/lecture/caption_strip.h"
 
 #include <glm/vec2.hpp>
@@ -13,8 +13,8 @@
 
 namespace normalscope {
 
-/// "Where does this normal go?" in the window: one exercise after the other, each first guessed, then seen.
-class Predict {
+/// "Where does this normal go?" in the window: one exercise after the other, each first tried, then seen.
+class Exercises {
 public:
     void start(std::uint64_t seed, Scene& scene);
     void stop() { running_ = false; }
@@ -32,7 +32,7 @@ public:
     bool release() { return std::exchange(dragging_, false); }
     bool dragging() const { return dragging_; }
     void turn(const Frame& frame, double right, double up);
-    const Vector<World>& guess() const { return guess_.direction; }
+    const Vector<World>& arrow() const { return arrow_.direction; }
 
     bool answered() const { return judgement_.has_value() || answer_.has_value(); }
     /// An arrow that nobody has moved is judged only when asked a second time: it may be the answer, or a slip of the key.
@@ -56,7 +56,7 @@ private:
     bool running_ = false, dragging_ = false;
     Scene before_;
     Exercise exercise_;
-    GuessArrow guess_;
+    ExerciseArrow arrow_;
     bool moved_ = false, asked_unmoved_ = false;
     int hints_ = 0;
     std::optional<Judgement> judgement_;

@@ -1,5 +1,6 @@
 #include "ui/lecture/lecture.h"
 
+#include "core/lessons/open.h"
 #include "core/lessons/scene_caption.h"
 
 #include <imgui.h>
@@ -21,20 +22,20 @@ void Lecture::start(std::shared_ptr<const Lesson> lesson, const Scene& scene, st
     const auto left_at = progress.find(lesson->name);
     std::size_t first = step.value_or(left_at == progress.end() ? 0 : left_at->second);
     if (!step && first + 1 >= lesson->steps.size()) first = 0;  // it had been gone through
-    predict.stop();
+    exercises.stop();
     player.start(std::move(lesson), first, scene);
     go_to(player.number(), scene);
 }
 
 void Lecture::leave(Scene& scene) {
     player.stop();
-    predict.leave(scene);
+    exercises.leave(scene);
     tab_.reset();
     if (std::exchange(opened_tab_, false)) tab_ = "";
 }
 
 void Lecture::go_to(std::size_t step, const Scene& scene) {
-    announces_next_ = false;
+    announced_ = Announced::Nothing;
     player.go_to(step, scene);
     progress[player.lesson().name] = player.number();
     const std::string& tab = player.step().tab;
@@ -53,7 +54,7 @@ bool Lecture::press(LectureKey key, Scene& scene, const Frame* frame) {
             return true;
         default: break;
     }
-    if (predict.running()) return press_in_exercise(key, scene, frame);
+    if (exercises.running()) return press_in_exercise(key, scene, frame);
     return player.running() && press_in_lesson(key, scene);
 }
 
@@ -64,8 +65,9 @@ bool Lecture::press_in_lesson(LectureKey key, const Scene& scene) {
         case LectureKey::Previous:
         case LectureKey::Left: return go_back(scene);
         case LectureKey::Again: go_to(player.number(), scene); return true;
+        case LectureKey::Last: go_to(player.lesson().steps.size() - 1, scene); return true;
         default: {
-            if (key < LectureKey::First || !player.step().question || announces_next_) return false;
+            if (key < LectureKey::First || !player.step().question || announced_ != Announced::Nothing) return false;
             player.choose(static_cast<std::size_t>(key) - static_cast<std::size_t>(LectureKey::First));
             return true;
         }
@@ -73,29 +75,38 @@ bool Lecture::press_in_lesson(LectureKey key, const Scene& scene) {
 }
 
 bool Lecture::go_on(const Scene& scene) {
-    if (player.has_next())
+    if (announced_ == Announced::Previous)
+        announced_ = Announced::Nothing;  // back to the first step
+    else if (player.has_next())
         go_to(player.number() + 1, scene);
-    else if (const auto next = next_lesson(); next && std::exchange(announces_next_, true))
+    else if (const auto next = next_lesson(); next && std::exchange(announced_, Announced::Next) == Announced::Next)
         wanted_lesson_ = next->name;
     return true;
 }
 
 bool Lecture::go_back(const Scene& scene) {
-    if (!std::exchange(announces_next_, false) && player.has_previous()) go_to(player.number() - 1, scene);
+    if (announced_ == Announced::Next)
+        announced_ = Announced::Nothing;  // back to the last step
+    else if (player.has_previous())
+        go_to(player.number() - 1, scene);
+    else if (const auto previous = previous_lesson();
+             previous && std::exchange(announced_, Announced::Previous) == Announced::Previous)
+        wanted_lesson_ = previous->name + "#" + std::to_string(load_lesson(previous->name).steps.size());
     return true;
 }
 
-std::optional<BuiltInLesson> Lecture::next_lesson() const {
+std::optional<BuiltInLesson> Lecture::neighbour(int places) const {
     const std::vector<BuiltInLesson>& lessons = built_in_lessons();
     const auto it = std::ranges::find(lessons, player.lesson().name, &BuiltInLesson::name);
-    if (it == lessons.end() || it + 1 == lessons.end()) return std::nullopt;
-    return *(it + 1);
+    const auto at = it - lessons.begin() + places;
+    if (it == lessons.end() || at < 0 || at >= std::ssize(lessons)) return std::nullopt;
+    return lessons[static_cast<std::size_t>(at)];
 }
 
 bool Lecture::press_in_exercise(LectureKey key, Scene& scene, const Frame* frame) {
     constexpr double kDegrees = 3.0;
     const auto turn = [&](double right, double up) {
-        if (frame) predict.turn(*frame, right, up);
+        if (frame) exercises.turn(*frame, right, up);
         return true;
     };
     switch (key) {
@@ -103,17 +114,17 @@ bool Lecture::press_in_exercise(LectureKey key, Scene& scene, const Frame* frame
         case LectureKey::Left: return turn(-kDegrees, 0.0);
         case LectureKey::Up: return turn(0.0, kDegrees);
         case LectureKey::Down: return turn(0.0, -kDegrees);
-        case LectureKey::Next: predict.next(scene); return true;
+        case LectureKey::Next: exercises.next(scene); return true;
         case LectureKey::Enter:
-            if (predict.answered())
-                predict.next(scene);
+            if (exercises.answered())
+                exercises.next(scene);
             else
-                predict.check(scene);
+                exercises.check(scene);
             return true;
-        case LectureKey::Hint: predict.hint(); return true;
+        case LectureKey::Hint: exercises.hint(); return true;
         default:
-            if (key < LectureKey::First || !predict.speech().question) return false;
-            predict.choose(static_cast<std::size_t>(key) - static_cast<std::size_t>(LectureKey::First), scene);
+            if (key < LectureKey::First || !exercises.speech().question) return false;
+            exercises.choose(static_cast<std::size_t>(key) - static_cast<std::size_t>(LectureKey::First), scene);
             return true;
     }
 }
@@ -121,13 +132,13 @@ bool Lecture::press_in_exercise(LectureKey key, Scene& scene, const Frame* frame
 void Lecture::start_exercises(std::uint64_t seed, Scene& scene) {
     if (player.running()) player.arrive(scene);  // what is gone back to is a step, nothing halfway
     leave(scene);
-    predict.start(seed, scene);
+    exercises.start(seed, scene);
 }
 
 std::vector<Speech> Lecture::speeches() const {
     std::vector<Speech> all;
-    if (predict.running())
-        all = predict.speeches();
+    if (exercises.running())
+        all = exercises.speeches();
     else if (player.running())
         for (const LessonStep& step : player.lesson().steps) all.push_back(speech_of(step));
     else if (presenting)
@@ -144,14 +155,14 @@ float Lecture::strip_height(const Look& look, float width, float window_height) 
 void Lecture::draw(const Look& look, Scene& scene, ImVec2 strip_low, ImVec2 strip_size) {
     if (player.running() && !recorded)
         player.advance(std::min(static_cast<double>(ImGui::GetIO().DeltaTime), 0.1), scene);
-    if (presenting && !player.running() && !predict.running()) {
+    if (presenting && !player.running() && !exercises.running()) {
         SceneSaid said = said_of(scene);
         said_ = {std::move(said.caption), {}, std::move(said.equations), {}};
     }
     const std::vector<Speech> all = speeches();
     if (all.empty() || strip_size.y < 1.0f || !look.fonts.caption) return;
-    if (predict.running()) {
-        predict.obey(strip_.draw(look, all.front(), predict.state(), strip_low, strip_size), scene);
+    if (exercises.running()) {
+        exercises.obey(strip_.draw(look, all.front(), exercises.state(), strip_low, strip_size), scene);
         return;
     }
     StripState state;
@@ -166,7 +177,13 @@ void Lecture::draw(const Look& look, Scene& scene, ImVec2 strip_low, ImVec2 stri
                  next.has_value(),
                  {}};
     Speech speech = player.running() ? all[player.number()] : all.front();
-    if (next && announces_next_) speech = {"Next lesson: " + next->title + ". Once more opens it.", {}, {}, {}};
+    if (announced_ != Announced::Nothing)
+        if (const auto lesson = announced_ == Announced::Next ? next_lesson() : previous_lesson())
+            speech = {(announced_ == Announced::Next ? "Next lesson: " : "The lesson before: ") + lesson->title +
+                          ". Once more opens it.",
+                      {},
+                      {},
+                      {}};
     const StripRequests requests = strip_.draw(look, speech, state, strip_low, strip_size);
     if (!player.running()) {
         return;

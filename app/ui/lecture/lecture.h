@@ -19,7 +19,7 @@ namespace normalscope {
 class Lecture {
 public:
     LessonPlayer player;
-    Predict predict;                              ///< instead of a lesson
+    Exercises exercises;                          ///< instead of a lesson
     std::map<std::string, std::size_t> progress;  ///< the step at which each lesson was left
 
     void start(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::optional<std::size_t> step);
@@ -49,7 +49,7 @@ public:
     std::optional<std::string> wanted_lesson() { return std::exchange(wanted_lesson_, std::nullopt); }
 
     /// There are words below the picture.
-    bool talks() const { return player.running() || predict.running() || presenting; }
+    bool talks() const { return player.running() || exercises.running() || presenting; }
     /// It wants to be drawn again at once.
     bool moving() const { return player.running() && player.moving(); }
     void forget_layout() { strip_.forget_layout(); }
@@ -60,16 +60,20 @@ private:
     bool press_in_exercise(LectureKey key, Scene& scene, const Frame* frame);
     bool go_on(const Scene& scene);
     bool go_back(const Scene& scene);
-    /// The built-in lesson after the one that is gone through, if there is one.
-    std::optional<BuiltInLesson> next_lesson() const;
+    /// The built-in lesson after the one that is gone through, or before it, if there is one.
+    std::optional<BuiltInLesson> next_lesson() const { return neighbour(+1); }
+    std::optional<BuiltInLesson> previous_lesson() const { return neighbour(-1); }
+    std::optional<BuiltInLesson> neighbour(int places) const;
     std::vector<Speech> speeches() const;
 
     CaptionStrip strip_;
     std::optional<Theme> blank_;  ///< dark: black, light: white
     std::optional<std::string> tab_;
     bool opened_tab_ = false;  ///< so that it is closed again
-    /// After the last step the next lesson is announced, and opened only when asked once more: nobody slips into it.
-    bool announces_next_ = false;
+    /// After the last step the next lesson is announced, before the first one the one before, and opened only when asked
+    /// once more: nobody slips into it.
+    enum class Announced { Nothing, Next, Previous };
+    Announced announced_ = Announced::Nothing;
     std::optional<std::string> wanted_lesson_;
     Speech said_;  ///< of the scene, as of the last draw: in presenter mode without a lesson
 };

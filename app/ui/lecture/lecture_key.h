@@ -11,6 +11,7 @@ enum class LectureKey {
     Left,
     Right,
     Again,
+    Last,
     Enter,
     Hint,
     Black,

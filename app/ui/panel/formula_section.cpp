@@ -200,8 +200,8 @@ void bound_and_clip(const Look& look, FormulaSurface& surface) {
                 .about = "How far the surface goes from the origin: the ball's radius, or half the cube's side."});
     ImGui::SameLine(0, gap);
     int clip = static_cast<int>(surface.clip);
-    static constexpr std::array<Choice, 2> kClips{{{"Ball", "What lies outside a ball about the origin is cut off."},
-                                                   {"Cube", "What lies outside a cube about the origin is cut off."}}};
+    static constexpr std::array<Segment, 2> kClips{{{"Ball", "What lies outside a ball about the origin is cut off."},
+                                                    {"Cube", "What lies outside a cube about the origin is cut off."}}};
     ImGui::SetNextItemWidth(clip_width);
     if (segmented(look, "clip", clip, kClips)) surface.clip = static_cast<Clip>(clip);
 }
@@ -214,8 +214,8 @@ void formula_section(Scene& scene, FormulaMemory& memory, const PanelContext& co
     const Look& look = context.look;
     field(scene, *surface, memory, context);
     const std::shared_ptr<const Surface>& drawn = context.frame.surface;
-    if (!memory.draft.mistake() && drawn && !drawn->mesh.note.empty())  // else of what was typed before
-        remark(look, look.accent, drawn->mesh.note);
+    if (!memory.draft.mistake() && drawn)  // else of what was typed before
+        for (const std::string& note : drawn->mesh.notes) remark(look, look.accent, note);
     // The derivatives stand with their values at the probe, unless there is none.
     written_formula(look, memory.written, surface->formula, ImGui::GetContentRegionAvail().x,
                     context.frame.probe ? 1 : 4);

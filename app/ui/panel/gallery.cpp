@@ -69,6 +69,9 @@ void gallery(Scene& scene, GalleryMemory& memory, const PanelContext& context) {
     for (const BuiltInScene& s : memory.scenes) names.push_back(s.name);
     memory.previews.want(names, static_cast<int>(side));
 
+    ImGui::Checkbox("Keep the transform and the camera", &memory.only_surface);
+    tip(look, "A choice changes the surface alone.");
+
     // Above the tiles, where it is seen in a low window, too; as high whatever it says, so that nothing moves below the
     // pointer.
     ImGui::PushFont(look.fonts.small);
@@ -99,8 +102,6 @@ void gallery(Scene& scene, GalleryMemory& memory, const PanelContext& context) {
     }
     ImGui::PopStyleVar();
     memory.told = hovered ? hovered : focused;
-    ImGui::Checkbox("Keep the transform and the camera", &memory.only_surface);
-    tip(look, "A choice changes the surface alone.");
 }
 
 }  // namespace normalscope

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
 #include "ui/kit/previews.h"
 #include "ui/panel/panel_context.h"
 

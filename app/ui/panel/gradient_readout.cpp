@@ -17,7 +17,7 @@ namespace {
 
 std::string off_by(const std::optional<double>& degrees) {
     constexpr double kRounding = 1e-12;  // of unit vectors' components, in degrees
-    return degrees ? fixed_unless_small(*degrees, *degrees < kRounding) + "°" : fixed(std::nullopt);
+    return degrees ? fixed_unless_small(*degrees < kRounding ? 0.0 : *degrees) + "°" : fixed(std::nullopt);
 }
 
 struct Columns {
@@ -56,7 +56,7 @@ void gradient_readout(const Look& look, const Frame& frame, std::optional<Writte
     const ImplicitSurface* implicit = frame.surface ? frame.surface->implicit.get() : nullptr;
     if (!implicit || !frame.probe) return;
     const GradientReport report = *gradient_report(*frame.surface, frame.probe->object);
-    const auto value = [](double v) { return fixed_unless_small(v, v == 0.0); };
+    const auto value = [](double v) { return fixed_unless_small(v); };
     const std::array<std::string, 4> values{value(report.f), value(report.gradient.x), value(report.gradient.y),
                                             value(report.gradient.z)};
     written_formula(look, written, implicit->source().formula, ImGui::GetContentRegionAvail().x, values.size(), values);

@@ -59,7 +59,8 @@ void scene_menu(PanelMemory& memory, const PanelContext& context, float width) {
 
 void share_menu(const PanelContext& context) {
     const Look& look = context.look;
-    if (icon_button(look, "##share", Icon::Share, "Share: a link, or the equations as LaTeX", true, kIconSide))
+    if (icon_button(look, "##share",
+                    {.icon = Icon::Share, .about = "Share: a link, or the equations as LaTeX", .side = kIconSide}))
         ImGui::OpenPopup("##sharing");
     if (!ImGui::BeginPopup("##sharing")) return;
     if (ImGui::MenuItem("Copy link", "Ctrl+L")) context.requests.copy_link = true;
@@ -76,29 +77,42 @@ void toolbar(Scene& scene, PanelMemory& memory, const PanelContext& context) {
     const float side = look.px(kIconSide), gap = look.px(2);
     scene_menu(memory, context, ImGui::GetContentRegionAvail().x - kIcons * (side + gap) - look.px(4));
     ImGui::SameLine(0, look.px(4) + gap);
-    if (icon_button(look, "##open", Icon::Open, "Open a scene or a mesh… (Ctrl+O)", true, kIconSide))
+    if (icon_button(look, "##open",
+                    {.icon = Icon::Open, .about = "Open a scene or a mesh… (Ctrl+O)", .side = kIconSide}))
         context.dialog.open(FileDialog::For::OpenAny);
     ImGui::SameLine(0, gap);
-    if (icon_button(look, "##save", Icon::Save, "Save the scene… (Ctrl+S)", true, kIconSide))
-        context.dialog.open(FileDialog::For::SaveScene);
+    if (icon_button(
+            look, "##save",
+            {.icon = Icon::Save, .about = "Save the scene (Ctrl+S; by another name: Ctrl+Shift+S)", .side = kIconSide}))
+        context.requests.save = true;
     ImGui::SameLine(0, gap);
-    if (icon_button(look, "##picture", Icon::Picture, "Save the picture… (Ctrl+P)", true, kIconSide))
+    if (icon_button(look, "##picture",
+                    {.icon = Icon::Picture, .about = "Save the picture… (Ctrl+P)", .side = kIconSide}))
         context.dialog.open(FileDialog::For::SavePicture);
     ImGui::SameLine(0, gap);
     share_menu(context);
     ImGui::SameLine(0, gap);
-    if (icon_button(look, "##undo", Icon::Undo, "Undo (Ctrl+Z)", context.status.can_undo, kIconSide))
+    if (icon_button(
+            look, "##undo",
+            {.icon = Icon::Undo, .about = "Undo (Ctrl+Z)", .enabled = context.status.can_undo, .side = kIconSide}))
         context.requests.undo = true;
     ImGui::SameLine(0, gap);
-    if (icon_button(look, "##redo", Icon::Redo, "Redo (Ctrl+Shift+Z)", context.status.can_redo, kIconSide))
+    if (icon_button(look, "##redo",
+                    {.icon = Icon::Redo,
+                     .about = "Redo (Ctrl+Shift+Z)",
+                     .enabled = context.status.can_redo,
+                     .side = kIconSide}))
         context.requests.redo = true;
     ImGui::SameLine(0, gap);
     const bool dark = is_dark(scene.theme);
-    if (icon_button(look, "##theme", dark ? Icon::Sun : Icon::Moon, dark ? "Light theme (T)" : "Dark theme (T)", true,
-                    kIconSide))
+    if (icon_button(look, "##theme",
+                    {.icon = dark ? Icon::Sun : Icon::Moon,
+                     .about = dark ? "Light theme (T)" : "Dark theme (T)",
+                     .side = kIconSide}))
         scene.theme = toggled(scene.theme);
     ImGui::SameLine(0, gap);
-    if (icon_button(look, "##help", Icon::Help, "Mouse and keys (F1)", true, kIconSide)) context.help = !context.help;
+    if (icon_button(look, "##help", {.icon = Icon::Help, .about = "Mouse and keys (F1)", .side = kIconSide}))
+        context.help = !context.help;
 }
 
 void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context) {

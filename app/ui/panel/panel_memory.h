@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
 #include "ui/panel/formula_section.h"
 #include "ui/panel/gallery.h"
 #include "ui/panel/panel_context.h"

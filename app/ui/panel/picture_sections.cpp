@@ -83,7 +83,7 @@ void arrows_section(Scene& scene, const PanelContext& context) {
     if (!open) return;
 
     arrow_kinds(look, scene, context.frame);
-    static constexpr std::array<Choice, 2> kPlaces{
+    static constexpr std::array<Segment, 2> kPlaces{
         {{"at vertices", "An arrow at each vertex; the surface is shaded smoothly."},
          {"at faces", "An arrow at each face's middle; the faces are shaded flat."}}};
     int at = static_cast<int>(scene.arrows.at);
@@ -120,9 +120,10 @@ void picture_section(Scene& scene, const PanelContext& context) {
     const Look& look = context.look;
     if (!section(look, "Picture")) return;
     const float width = ImGui::GetContentRegionAvail().x, gap = look.px(6), half = std::floor((width - gap) / 2);
-    static constexpr std::array<Choice, 2> kColors{
+    static constexpr std::array<Segment, 3> kColors{
         {{"light", "Shaded with the chosen rule's normals: wrong normals show as wrong light."},
-         {"error map", "Coloured by the angle between M n and (M⁻¹)ᵀ n. (E)"}}};
+         {"error map", "Coloured by the angle between M n, or the mistake in its place, and the true normal. (E)"},
+         {"normals", "Coloured by the chosen rule's normals: n·½ + ½ as red, green and blue, without light. (E)"}}};
     int color = static_cast<int>(scene.color);
     ImGui::SetNextItemWidth(width);
     if (segmented(look, "color", color, kColors)) scene.color = static_cast<SurfaceColor>(color);

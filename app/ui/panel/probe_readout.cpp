@@ -98,7 +98,7 @@ void dot_cell(const Look& look, double dot, double lengths, float right) {
     ImGui::PushStyleColor(ImGuiCol_Text, zero ? look.good : look.bad);
     text_right(zero ? "✓" : "✗", right);
     ImGui::SameLine();
-    text_right(fixed_unless_small(zero ? 0.0 : dot, zero), right - look.px(19));
+    text_right(fixed_unless_small(zero ? 0.0 : dot), right - look.px(19));
     ImGui::PopStyleColor();
 }
 
@@ -109,7 +109,7 @@ void dots(const Look& look, const ProbeInWorld& probe, const Scene& scene) {
     tip(look,
         "t₁ and t₂ are tangents of the surface, carried along by M. A normal is what stays perpendicular to both: n · "
         "t = 0.");
-    const auto& truth = probe.normals[static_cast<std::size_t>(Rule::InverseTranspose)];
+    if (!probe.affine) ImGui::TextColored(look.bad, "M is not affine: no 3×3 rule is right");
     if (about_tangents(scene.mistake) && scene.rule == Rule::Naive)
         ImGui::TextColored(look.bad, "the tangents are wrong here, not n");
     for (std::size_t i = 0; i < kRules.size(); ++i) {
@@ -129,13 +129,15 @@ void dots(const Look& look, const ProbeInWorld& probe, const Scene& scene) {
             }
         }
         ImGui::SameLine();
-        const auto off = any && truth ? angle_degrees(n->xyz, truth->xyz) : std::nullopt;
+        const auto off = any && probe.truth ? angle_degrees(n->xyz, probe.truth->xyz) : std::nullopt;
         text_right(in_degrees(off), c.right[2]);
         ImGui::EndGroup();
-        tip(look, kRules[i] == Rule::Cofactor ? "180° under a reflection: the cofactor follows the winding, which the "
-                                                "mirror has turned over, the inverse "
-                                                "transpose keeps pointing outward. Each is right for its own question."
-                                              : "The two dot products with the tangents, and the angle to (M⁻¹)ᵀ n.");
+        tip(look, kRules[i] == Rule::Cofactor
+                      ? "180° under a reflection: the cofactor follows the winding, which the "
+                        "mirror has turned over, the inverse "
+                        "transpose keeps pointing outward. Each is right for its own question."
+                      : "The two dot products with the tangents, and the angle to the normal of "
+                        "the image: (M⁻¹)ᵀ n, where M is affine.");
     }
 }
 
@@ -143,7 +145,8 @@ void dots(const Look& look, const ProbeInWorld& probe, const Scene& scene) {
 void over_the_surface(const Look& look, const Scene& scene, const std::optional<ErrorStatistics>& errors) {
     std::optional<double> bound;
     try {
-        bound = world_from_object(scene).normal_matrices_by_rule().error_bound_degrees();
+        const Transform<World, Object> m = world_from_object(scene);
+        if (m.affine()) bound = m.normal_matrices_by_rule().error_bound_degrees();
     } catch (const InputError&) {  // said elsewhere
     }
     const auto worst = errors ? std::optional(errors->worst_degrees) : std::nullopt;
@@ -154,12 +157,15 @@ void over_the_surface(const Look& look, const Scene& scene, const std::optional<
         const char* about;
     };
     const std::array<Figure, 3> figures{
-        {{"worst", worst, "The naive rule's largest error over the normals of the surface as drawn."},
-         {"mean", mean, "The naive rule's error, averaged over the normals of the surface as drawn."},
+        {{"worst", worst, "The largest error over the normals of the surface as drawn."},
+         {"mean", mean, "The error, averaged over the normals of the surface as drawn."},
          {"bound", bound,
           "atan k − atan 1/k with k = σ₁/σ₃: the largest error that this M can cause on any surface "
           "(Kantorovich's inequality)."}}};
-    dim_text(look, "naive rule's error, over the whole surface");
+    const bool plain = scene.mistake == Mistake::Naive;
+    const std::string whose =
+        plain ? "naive rule’s error" : "error of “" + std::string(text(scene.mistake).title) + "”";
+    dim_text(look, (whose + ", over the whole surface").c_str());
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float gap = look.px(6), width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3),
                 height = look.px(46);

@@ -1,5 +1,6 @@
 #include "ui/panel/panel.h"
 
+#include "core/picture/drawn_arrows.h"
 #include "core/scene/mistakes.h"
 #include "core/scene/palette.h"
 #include "core/scene/scene_fields.h"
@@ -49,16 +50,20 @@ void button(const Look& look, Scene& scene, const RuleButton& b, bool exists, Im
     const MistakeText mistake = text(scene.mistake);
     const std::string_view label = mistaken ? mistake.title : std::string_view(b.label),
                            mathematics = mistaken ? before_comma(mistake.formula) : formula(b.rule);
-    const bool chosen = scene.rule == b.rule;
+    const bool off = !can_choose(scene, b.rule);
+    // In the split view: what the right half shows.
+    const bool chosen = (can_choose(scene, scene.rule) ? scene.rule : pane_rules(scene).back()) == b.rule;
     const glm::vec3 color = rule_color(b.rule);
     const ImVec4 tint = to_imgui(color), ink = look.readable(b.rule);
-    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, exists ? 1.0f : 0.5f);
+    ImGui::PushStyleVar(ImGuiStyleVar_Alpha, exists && !off ? 1.0f : 0.5f);
+    ImGui::BeginDisabled(off);
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? faded(tint, 0.20f) : look.card);
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(tint, chosen ? 0.26f : 0.12f));
     ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(tint, 0.32f));
     ImGui::PushID(b.label);
     if (ImGui::Button("##rule", size)) scene.rule = b.rule;
     ImGui::PopID();
+    ImGui::EndDisabled();
     ImGui::PopStyleColor(3);
 
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
@@ -91,7 +96,8 @@ void button(const Look& look, Scene& scene, const RuleButton& b, bool exists, Im
         (exists
              ? ""
              : "\n\nNot here: this M has no inverse. It can still be chosen; the surface is then drawn without light.");
-    tip(look, about.c_str());
+    tip(look, off ? "It stands at the left of the split view already; the other two choose what it is held against."
+                  : about.c_str());
 }
 
 }  // namespace
@@ -99,7 +105,7 @@ void button(const Look& look, Scene& scene, const RuleButton& b, bool exists, Im
 void rule_buttons(Scene& scene, const PanelContext& context) {
     const Look& look = context.look;
     const bool invertible = !context.frame.probe || !context.frame.probe->object.has_normal() ||
-                            context.frame.probe->normals[static_cast<std::size_t>(Rule::InverseTranspose)];
+                            context.frame.probe->normals[Rule::InverseTranspose];
     const float gap = look.px(6), width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3);
     for (std::size_t i = 0; i < kButtons.size(); ++i) {
         if (i > 0) ImGui::SameLine(0, gap);
@@ -148,7 +154,7 @@ void mistake_chooser(Scene& scene, const PanelContext& context) {
 }
 
 void view_buttons(Scene& scene, const PanelContext& context) {
-    static constexpr std::array<Choice, 3> kViews{
+    static constexpr std::array<Segment, 3> kViews{
         {{"single", "The object by the chosen rule alone. (V for the next view)"},
          {"split", "Naive at the left, correct at the right, one camera. (V for the next view)"},
          {"overlay", "The rules' arrows on one object, and the angle between them. (V for the next view)"}}};

@@ -34,7 +34,7 @@ void slice_section(Scene& scene, const PanelContext& context) {
     tip(look,
         "∇f as arrows on a grid of the plane, sent to the world by the chosen rule: longer where f is steeper, and "
         "always at right angles to the level sets.");
-    static constexpr std::array<Choice, 3> kAxes{
+    static constexpr std::array<Segment, 3> kAxes{
         {{"across x", "The plane x = c."}, {"across y", "The plane y = c."}, {"across z", "The plane z = c."}}};
     int axis = static_cast<int>(slice.axis);
     const float width = ImGui::GetContentRegionAvail().x;
@@ -65,7 +65,7 @@ void singular_section(Scene& scene, const PanelContext& context) {
     bool on = scene.borrow.has_value();
     if (ImGui::Checkbox("borrow a neighbour's normal", &on)) {
         if (on)
-            scene.borrow = Borrow{};
+            scene.borrow = Direction<Object>{};
         else
             scene.borrow.reset();
     }

@@ -131,23 +131,29 @@ bool entry_header(const Look& look, std::size_t i, Scene& scene, StackMemory& me
 
     if (!folded && scale) {
         ImGui::SameLine(0, gap);
-        if (icon_button(look, "##lock", memory.lock_scale ? Icon::LockClosed : Icon::LockOpen,
-                        memory.lock_scale ? "Locked: the three factors keep their proportions."
-                                          : "Lock the proportions of the three factors.",
-                        true, side))
+        if (icon_button(look, "##lock",
+                        {.icon = memory.lock_scale ? Icon::LockClosed : Icon::LockOpen,
+                         .about = memory.lock_scale ? "Locked: the three factors keep their proportions."
+                                                    : "Lock the proportions of the three factors.",
+                         .side = side}))
             memory.lock_scale = !memory.lock_scale;
     }
     if (!folded) {
         ImGui::SameLine(0, gap);
-        if (icon_button(look, "##reset", Icon::Reset, "Make this transform do nothing.", true, side))
+        if (icon_button(look, "##reset",
+                        {.icon = Icon::Reset, .about = "Make this transform do nothing.", .side = side}))
             entry = neutral(entry);
     }
     ImGui::SameLine(0, gap);
-    if (icon_button(look, "##up", Icon::Up, "Act earlier.", i > 0, side)) change = {i, i - 1};
+    if (icon_button(look, "##up", {.icon = Icon::Up, .about = "Act earlier.", .enabled = i > 0, .side = side}))
+        change = {i, i - 1};
     ImGui::SameLine(0, gap);
-    if (icon_button(look, "##down", Icon::Down, "Act later.", i + 1 < scene.stack.size(), side)) change = {i, i + 1};
+    if (icon_button(look, "##down",
+                    {.icon = Icon::Down, .about = "Act later.", .enabled = i + 1 < scene.stack.size(), .side = side}))
+        change = {i, i + 1};
     ImGui::SameLine(0, gap);
-    if (icon_button(look, "##remove", Icon::Close, "Remove.", true, side)) change = {i, std::nullopt};
+    if (icon_button(look, "##remove", {.icon = Icon::Close, .about = "Remove.", .side = side}))
+        change = {i, std::nullopt};
     return !folded;
 }
 
@@ -241,7 +247,11 @@ void what_m_is(const Look& look, const Scene& scene) {
 void what_follows(const Look& look, const Scene& scene) {
     NormalMatrices normals;
     try {
-        normals = world_from_object(scene).normal_matrices_by_rule();
+        const Transform<World, Object> m = world_from_object(scene);
+        if (!m.affine())
+            return notice(look,
+                          "M is not affine: points are divided by their w, and no 3×3 rule is right for normals.");
+        normals = m.normal_matrices_by_rule();
     } catch (const InputError&) {  // what_m_is says it
         return;
     }

@@ -2,11 +2,14 @@
 
 #include "core/base/error.h"
 #include "core/base/overload.h"
+#include "core/mesh/mesh_file.h"
+#include "core/scene/scene_fields.h"
+#include "core/scene/scene_json.h"
 #include "ui/kit/number_text.h"
 #include "ui/kit/widgets.h"
 #include "ui/panel/panel_memory.h"
 
-#include <array>
+#include <cctype>
 #include <filesystem>
 #include <string>
 
@@ -14,15 +17,18 @@ namespace normalscope {
 
 namespace {
 
-constexpr std::array<const char*, 7> kShapes{"Sphere", "Cube", "Cylinder", "Cone", "Torus", "Plane", "Dodecahedron"};
+std::string label(Shape shape) {
+    std::string text(name(shape));
+    text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+    return text;
+}
 
 // What the surface is, in a word or two.
 std::string current_name(const SurfaceSource& surface) {
-    return std::visit(
-        Overload{[](const ShapeSurface& s) { return std::string(kShapes.at(static_cast<std::size_t>(s.shape))); },
-                 [](const MeshSurface& m) { return std::filesystem::path(m.mesh).filename().string(); },
-                 [](const FormulaSurface&) { return std::string("Formula"); }},
-        surface);
+    return std::visit(Overload{[](const ShapeSurface& s) { return label(s.shape); },
+                               [](const MeshSurface& m) { return std::filesystem::path(m.mesh).filename().string(); },
+                               [](const FormulaSurface&) { return std::string("Formula"); }},
+                      surface);
 }
 
 void shape_picker(Scene& scene, PanelMemory& memory, const PanelContext& context) {
@@ -34,11 +40,10 @@ void shape_picker(Scene& scene, PanelMemory& memory, const PanelContext& context
     const float width = ImGui::GetContentRegionAvail().x - open_width - gallery_width - 2 * gap;
     const std::string current = current_name(scene.surface);
     if (begin_combo(look, "##shape", current, width)) {
-        for (std::size_t i = 0; i < kShapes.size(); ++i) {
-            const bool chosen = shape && shape->shape == static_cast<Shape>(i);
-            if (ImGui::Selectable(kShapes[i], chosen)) {
-                scene.surface =
-                    ShapeSurface{static_cast<Shape>(i), shape ? shape->resolution : ShapeSurface{}.resolution};
+        for (const auto& [each, ignored] : kShapeNames) {
+            const bool chosen = shape && shape->shape == each;
+            if (ImGui::Selectable(label(each).c_str(), chosen)) {
+                scene.surface = ShapeSurface{each, shape ? shape->resolution : ShapeSurface{}.resolution};
                 context.requests.make_room = true;
             }
             if (chosen) ImGui::SetItemDefaultFocus();
@@ -61,7 +66,8 @@ void shape_picker(Scene& scene, PanelMemory& memory, const PanelContext& context
     tip(look, "Surfaces by formula, with their pictures.");
     ImGui::SameLine(0, gap);
     if (ImGui::Button("Mesh file…", {open_width, 0})) context.dialog.open(FileDialog::For::OpenMesh);
-    tip(look, "Take the surface from a mesh file (.obj, .ply, .stl); everything else stays as it is.");
+    tip(look, ("Take the surface from a mesh file (" + mesh_endings_in_words() + "); everything else stays as it is.")
+                  .c_str());
 }
 
 // Without M⁻¹ no ray goes to object space.
@@ -103,7 +109,8 @@ void surface_section(Scene& scene, PanelMemory& memory, const PanelContext& cont
     ImGui::PushFont(look.fonts.small);
     dim_text(look, grouped(mesh.triangles.size()) + " triangles, " + grouped(mesh.face_count()) + " faces, " +
                        grouped(mesh.positions.size()) + " vertices");
-    if (!mesh.note.empty() && !std::holds_alternative<FormulaSurface>(scene.surface)) wrapped_line(mesh.note);
+    if (!std::holds_alternative<FormulaSurface>(scene.surface))
+        for (const std::string& note : mesh.notes) wrapped_line(note);
     if (drawn_by_triangles(scene))
         wrapped_line("M has no inverse, so no ray goes to object space: what is drawn are these triangles.");
     ImGui::PopFont();

@@ -42,8 +42,7 @@ std::string about(const RuleCheck& check, std::size_t tangent) {
     const auto& other = check.dots[1 - tangent];
     std::string with_other;
     if (other)
-        with_other =
-            "; with the other tangent " + (is_zero(*other) ? "0" : fixed_unless_small(other->clean(0, 0), false));
+        with_other = "; with the other tangent " + (is_zero(*other) ? "0" : fixed_unless_small(other->clean(0, 0)));
     switch (check.rule) {
         case Rule::Naive:
             return check.normal ? "the naive rule, n_naive = M₃ n_obj" + with_other
@@ -58,9 +57,9 @@ std::string about(const RuleCheck& check, std::size_t tangent) {
 
 // How the cofactor's normal lies to the true one; nothing where it is the true one, or where there is none.
 std::string about_cofactor(const Derivation& derivation) {
-    const auto& truth = derivation.checks[static_cast<std::size_t>(Rule::InverseTranspose)].normal;
-    const auto& cofactor = derivation.checks[static_cast<std::size_t>(Rule::Cofactor)].normal;
-    if (!truth || !cofactor) return {};
+    const auto& truth = derivation.checks[Rule::InverseTranspose].normal;
+    const auto& cofactor = derivation.checks[Rule::Cofactor].normal;
+    if (!truth || !cofactor || !derivation.affine) return {};
     const auto same = product(transpose(*cofactor), *truth);
     if (same && (*same)(0, 0) < 0.0)
         return "The cofactor’s, cof(M₃) n_obj, is perpendicular, too, and points the other way.";
@@ -73,7 +72,7 @@ MathBox how_far_off(const MathStyle& style, const RuleCheck& naive, bool any_tru
                          any_truth ? "M₃ n_obj is 0: there is no naive normal to be off."
                                    : "No rule gives a normal here, so there is none to be off from.",
                          width, Ink::Plain, Meaning::InverseTranspose);
-    MathBox box = written(style, style.upright, in_degrees(*naive.degrees_off), Ink::Naive);
+    MathBox box = written(style, style.upright, in_degrees(naive.degrees_off), Ink::Naive);
     box.append(written(style, style.script,
                        *naive.degrees_off < 5e-4 ? "off: the naive normal is right here"
                                                  : "is how far the naive normal is off",
@@ -158,8 +157,7 @@ Passage check_passage(const Look& look, const Derivation& derivation, const Name
                       std::size_t first_line, float width) {
     Passage passage{.title = "The check: which one is perpendicular?", .state = Step::State::Holds, .rows = {}};
     const Rule by = derivation.n_world_by.value_or(Rule::InverseTranspose);
-    const std::array<const RuleCheck*, 2> checks{&derivation.checks[0],
-                                                 &derivation.checks[static_cast<std::size_t>(by)]};
+    const std::array<const RuleCheck*, 2> checks{&derivation.checks[0], &derivation.checks[by]};
     const auto& v_world = derivation.steps[1].left().operands[1];  // of n_world · v_world = 0
     const auto equation = [&](const MathStyle& at, std::size_t i) {
         const RuleCheck& check = *checks[i];
@@ -177,6 +175,13 @@ Passage check_passage(const Look& look, const Derivation& derivation, const Name
             {paragraph(style, about(*checks[i], tangent), width, Ink::Dim, meaning_of(by)), 0, look.px(6)});
     }
     passage.rows.push_back({how_far_off(style, *checks[0], derivation.n_world_by.has_value(), width), 0, look.px(12)});
+    if (!derivation.affine)
+        passage.rows.push_back(
+            {paragraph(style,
+                       "M is not affine, and neither rule is right. The normal is that of the tangent "
+                       "plane’s image, the dark arrow at the probe.",
+                       width, Ink::Plain, Meaning::InverseTranspose),
+             0, look.px(6)});
     if (const std::string more = about_cofactor(derivation); !more.empty())
         passage.rows.push_back({paragraph(style, more, width, Ink::Dim, meaning_of(by)), 0, look.px(6)});
     return passage;

@@ -61,10 +61,10 @@ void DerivationPanel::header(const Look& look) {
     ImGui::TextUnformatted("Why the inverse transpose?");
     ImGui::PopFont();
 
-    static constexpr std::array<Choice, 2> kNames{
+    static constexpr std::array<Segment, 2> kNames{
         {{"names", "Every symbol by its name."},
          {"numbers", "Every symbol by the scene's numbers. A click on a symbol switches it alone."}}};
-    static constexpr std::array<Choice, 2> kTangents{
+    static constexpr std::array<Segment, 2> kTangents{
         {{"t₁", "v is the probe's first tangent."}, {"t₂", "v is the probe's second tangent."}}};
     int numbers = shown_.numbers, tangent = static_cast<int>(tangent_);
     ImGui::PushItemWidth(look.px(168));
@@ -89,13 +89,17 @@ void DerivationPanel::header(const Look& look) {
 
 void DerivationPanel::progress(const Look& look) {
     const float side = look.px(27), gap = look.px(6);
-    if (icon_button(look, "##back", Icon::Left, "Back (left arrow)", current_ > 0, 27)) go_to(current_ - 1);
+    if (icon_button(look, "##back",
+                    {.icon = Icon::Left, .about = "Back (left arrow)", .enabled = current_ > 0, .side = 27}))
+        go_to(current_ - 1);
     ImGui::SameLine(0, gap);
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x - side - gap;
     ImGui::Dummy({width, side});
     ImGui::SameLine(0, gap);
-    if (icon_button(look, "##on", Icon::Right, "On (right arrow)", current_ + 1 < passages_.size(), 27))
+    if (icon_button(
+            look, "##on",
+            {.icon = Icon::Right, .about = "On (right arrow)", .enabled = current_ + 1 < passages_.size(), .side = 27}))
         go_to(current_ + 1);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float count = static_cast<float>(passages_.size()), each = width / count,

@@ -17,12 +17,12 @@ std::vector<AlignedEquation> fitted(const Look& look, std::size_t count, const M
         return fit;
     };
     if (!make_all()) {
-        style = math_style(look, true);
+        style = math_style(look, NumberSize::Small);
         if (!make_all())
             for (std::size_t i = 0; i < count; ++i)
                 // Rounding to whole pixels may leave it a little too wide at first.
                 for (int percent = 100; width_of(style, equations[i]) > width && percent > 30; percent -= 4)
-                    equations[i] = make(math_style(look, true, 0.01f * static_cast<float>(percent)), i);
+                    equations[i] = make(math_style(look, NumberSize::Small, 0.01f * static_cast<float>(percent)), i);
     }
     return aligned(style, equations, width);
 }

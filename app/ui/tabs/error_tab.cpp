@@ -27,16 +27,16 @@ constexpr std::array<double, 7> kStretches{1, 2, 5, 10, 20, 50, 100};
 void measure(ErrorTab& tab, const Scene& scene, const Transform<World, Object>& m, const Frame& frame) {
     const NormalMatrices& matrices = m.normal_matrices_by_rule();
     const std::optional<NormalMap> map = normal_map(scene, m, Rule::Naive);
-    const bool same_matrix = tab.measured_matrix == matrices.naive && tab.measured_rank == matrices.rank;
+    const bool same_matrix = tab.measured_matrix == m.matrix() && tab.measured_rank == matrices.rank;
     if (same_matrix && tab.measured_on == frame.surface && tab.measured_map == map) return;
     if (!same_matrix) tab.family = measured_errors(matrices.naive);
-    tab.measured_matrix = matrices.naive;
+    tab.measured_matrix = m.matrix();
     tab.measured_rank = matrices.rank;
     tab.measured_on = frame.surface;
     tab.measured_map = map;
-    tab.histogram = map ? error_histogram(frame.surface->mesh, *map, matrices) : std::nullopt;
+    tab.histogram = map ? error_histogram(frame.surface->mesh, *map, m) : std::nullopt;
     const NormalMap naive{.matrix = glm::dmat4(matrices.naive)};
-    const auto plain = map == naive ? tab.histogram : error_histogram(frame.surface->mesh, naive, matrices);
+    const auto plain = map == naive ? tab.histogram : error_histogram(frame.surface->mesh, naive, m);
     tab.naive_worst = plain ? std::optional(plain->worst_degrees) : std::nullopt;
 }
 
@@ -155,6 +155,17 @@ void curve_key(const Look& look) {
         "Measured over directions all around, for M with its stretch made smaller and larger along the same axes.");
 }
 
+// What the closed form is about, where M is more than M3.
+void not_about_this_m(const Look& look, const Frame& frame) {
+    std::string numbers;
+    if (frame.probe && frame.probe->error_degrees)
+        numbers = " At the probe M n is off by " + in_degrees(frame.probe->error_degrees) + ".";
+    wrapped(look, look.text,
+            "M is not affine: the curve is about its M₃ alone, and says nothing of how far off a rule is. Above, every "
+            "normal is held against the image of its own tangent plane." +
+                numbers);
+}
+
 void never_perpendicular(const Look& look, const Frame& frame, const NormalMatrices& matrices) {
     std::string numbers;
     if (frame.probe && frame.probe->object.has_normal() && matrices.inverse_transpose) {
@@ -188,7 +199,7 @@ void draw_error_tab(const Scene& scene, ErrorTab& tab, const SideContext& contex
     ImGui::TextColored(look.readable(Rule::Naive), "%s", what.c_str());
     if (open) {
         if (tab.histogram)
-            histogram_plot(look, *tab.histogram, naive ? matrices.error_bound_degrees() : std::nullopt,
+            histogram_plot(look, *tab.histogram, naive && m.affine() ? matrices.error_bound_degrees() : std::nullopt,
                            context.status.errors);
         else
             remark(look, look.bad,
@@ -198,6 +209,10 @@ void draw_error_tab(const Scene& scene, ErrorTab& tab, const SideContext& contex
     }
     if (!section(look, "Against the stretch")) return;
     curve_key(look);
+    if (!m.affine()) {
+        curve_plot(look, tab, std::nullopt);
+        return not_about_this_m(look, context.frame);
+    }
     const std::optional<double> k = matrices.condition(), bound = matrices.error_bound_degrees();
     curve_plot(look, tab, k);
     if (bound && tab.naive_worst && *tab.naive_worst < *bound - 1.0)

@@ -14,7 +14,7 @@ namespace normalscope {
 struct ErrorTab {
     std::shared_ptr<const Surface> measured_on;  ///< held, so that no other surface can come to stand at its address
     std::optional<NormalMap> measured_map;
-    glm::dmat3 measured_matrix{0.0};
+    glm::dmat4 measured_matrix{0.0};
     int measured_rank = -1;
     std::optional<ErrorHistogram> histogram;
     std::optional<double> naive_worst;  ///< of the naive rule itself, on this surface

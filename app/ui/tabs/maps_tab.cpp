@@ -111,6 +111,21 @@ std::string what_m_is(const std::vector<MapClassRow>& rows) {
     return text + ".";
 }
 
+void not_affine_remark(const Look& look, const Frame& frame) {
+    std::string at_probe;
+    for (std::size_t i = 0; frame.probe && frame.probe->truth && i < kRules.size(); ++i) {
+        const auto& n = frame.probe->normals[i];
+        if (const auto off = n ? angle_degrees(n->xyz, frame.probe->truth->xyz) : std::nullopt)
+            at_probe += (at_probe.empty() ? " At the probe " : ", ") + std::string(formula(kRules[i])) + " is off by " +
+                        in_degrees(off);
+    }
+    wrapped(
+        look, look.text,
+        "M is not affine: what it does to tangents and normals depends on the place, and no 3×3 matrix is right. The "
+        "normal is that of the tangent plane’s image." +
+            at_probe + (at_probe.empty() ? "" : "."));
+}
+
 void how_sure(const Look& look, const MapClaims& c) {
     const auto figure = [&](const char* label, const std::string& value, float at, const char* about) {
         ImGui::SetCursorPosX(at);
@@ -163,7 +178,8 @@ void draw_maps_tab(const Scene& scene, MapsTab& tab, const SideContext& context)
     for (const MapClassRow& row : tab.rows) table_row(look, row);
     ImGui::PopStyleVar();
     ImGui::Dummy({0, look.px(2)});
-    if (m.normal_matrices_by_rule().determinant < 0.0) reflection_remark(look);
+    if (!m.affine()) not_affine_remark(look, context.frame);
+    if (m.affine() && m.normal_matrices_by_rule().determinant < 0.0) reflection_remark(look);
     if (section(look, "How sure")) how_sure(look, tab.claims);
 }
 

@@ -100,7 +100,7 @@ void wrong_orders(const Look& look, Scene& scene, StackTab& tab, const Frame& fr
     if (tab.orders_of != stack || !same_probe(tab.orders_at, probe)) {
         tab.orders_of = stack;
         tab.orders_at = probe;
-        tab.orders = orders_of_inverses(stack, probe);
+        tab.orders = orders_of_inverses(stack, Transform<World, Object>(product(stack)), probe);
         tab.orders_commute = commute(stack);
     }
     if (stack.size() < 2) return too_few_for_an_order(look, scene);

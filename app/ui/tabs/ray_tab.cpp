@@ -8,6 +8,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <imgui_internal.h>  // SetKeyOwner
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,9 +36,7 @@ public:
     MathBox letter(const char* text, Ink ink) const { return written(style_, style_.letters, text, ink); }
     MathBox sign(const char* text) const { return written(style_, style_.upright, text, Ink::Plain); }
     MathBox words(const std::string& text, Ink ink) const { return written(style_, style_.script, text, ink); }
-    MathBox number(double v, Ink ink) const {
-        return written(style_, style_.upright, fixed_unless_small(v, v == 0.0), ink);
-    }
+    MathBox number(double v, Ink ink) const { return written(style_, style_.upright, fixed_unless_small(v), ink); }
     MathBox vector(const glm::dvec3& v, Ink ink) const { return value_box(style_, value_of(v), ink); }
     MathBox inverse() const { return with_superscript(style_, letter("M", Ink::Plain), "\u22121", Ink::Plain); }
     MathBox nabla(bool formula, Ink ink) const {
@@ -93,7 +93,7 @@ Told told(const Writing& w, const RaySteps& s, int step) {
             Told t{"The point in object space",
                    {w.row({w.letter("p", grey), is, w.inverse(), w.letter("o", plain), w.sign("+"),
                            w.letter("t", plain), w.inverse(), w.letter("d", plain), is, w.vector(s.point->xyz, grey)})},
-                   formula ? "Here f = " + fixed_unless_small(*s.f, *s.f == 0.0) + "." : "On the mesh."};
+                   formula ? "Here f = " + fixed_unless_small(*s.f) + "." : "On the mesh."};
             return t;
         }
         case 4:
@@ -137,11 +137,25 @@ const char* why_no_further(RaySteps::End end) {
     return "";
 }
 
+// The arrow keys step, and so do not wander from button to button here.
+int steps_by_keys() {
+    if (ImGui::GetIO().WantTextInput || ImGui::GetIO().KeyMods || ImGui::IsAnyItemActive()) return 0;
+    const ImGuiID owner = ImGui::GetID("##stepper");
+    for (const ImGuiKey key : {ImGuiKey_LeftArrow, ImGuiKey_RightArrow}) ImGui::SetKeyOwner(key, owner);
+    return static_cast<int>(ImGui::IsKeyPressed(ImGuiKey_RightArrow, owner)) -
+           static_cast<int>(ImGui::IsKeyPressed(ImGuiKey_LeftArrow, owner));
+}
+
 void stepper(const Look& look, AimedRay& ray, int last) {
-    if (icon_button(look, "##previous", Icon::Previous, "One step back.", ray.step > 0))
-        ray.step = std::min(ray.step, last) - 1;
+    int by = steps_by_keys();
+    if (icon_button(look, "##previous",
+                    {.icon = Icon::Previous, .about = "One step back (left arrow).", .enabled = ray.step > 0}))
+        by = -1;
     ImGui::SameLine(0, look.px(2));
-    if (icon_button(look, "##next", Icon::Next, "One step on.", ray.step < last)) ++ray.step;
+    if (icon_button(look, "##next",
+                    {.icon = Icon::Next, .about = "One step on (right arrow).", .enabled = ray.step < last}))
+        by = +1;
+    if (by != 0) ray.step = std::clamp(std::min(ray.step, last) + by, 0, last);
     ImGui::SameLine(0, look.px(8));
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float height = look.px(30), width = ImGui::GetContentRegionAvail().x,
@@ -235,12 +249,17 @@ void aim_bars(const Look& look, AimedRay& ray, const std::array<Point<World>, 2>
 
 }  // namespace
 
-void draw_ray_tab(Scene& scene, const SideContext& context) {
+void draw_ray_head(Scene& scene, const SideContext& context) {
     const Look& look = context.look;
-    const CameraView& view = context.frame.panes.front().view;
     ImGui::PushFont(look.fonts.title);
     ImGui::TextUnformatted("A ray, step by step");
     ImGui::PopFont();
+    if (scene.ray && context.frame.ray) stepper(look, *scene.ray, context.frame.ray->last_step);
+}
+
+void draw_ray_tab(Scene& scene, const SideContext& context) {
+    const Look& look = context.look;
+    const CameraView& view = context.frame.panes.front().view;
     if (!scene.ray || !context.frame.ray) {
         wrapped(look, look.dim,
                 "What a ray tracer does at every pixel: the ray goes to object space, meets the surface there, and the "
@@ -253,7 +272,6 @@ void draw_ray_tab(Scene& scene, const SideContext& context) {
         return;
     }
     const RaySteps& steps = *context.frame.ray;
-    stepper(look, *scene.ray, steps.last_step);
     const int step = std::min(scene.ray->step, steps.last_step);
     for (int i = 0; i <= step; ++i) step_card(look, steps, *scene.ray, i);
     // The step that is new comes into view.

@@ -59,8 +59,10 @@ void player_controls(const Look& look, Scene& scene, StackPlayer& player) {
     const auto count = static_cast<double>(scene.stack.size());
     double position = std::min(scene.stack_position.value_or(count), count);
     const bool any = !scene.stack.empty();
-    if (icon_button(look, "##play", player.playing ? Icon::Pause : Icon::Play,
-                    player.playing ? "Stop here." : "Let the entries act one after the other.", any)) {
+    if (icon_button(look, "##play",
+                    {.icon = player.playing ? Icon::Pause : Icon::Play,
+                     .about = player.playing ? "Stop here." : "Let the entries act one after the other.",
+                     .enabled = any})) {
         player.playing = !player.playing;
         if (player.playing) {  // from here on, or from the beginning where all is done
             player.time = position >= count ? 0.0 : position;
@@ -69,10 +71,12 @@ void player_controls(const Look& look, Scene& scene, StackPlayer& player) {
         }
     }
     ImGui::SameLine(0, look.px(2));
-    if (icon_button(look, "##previous", Icon::Previous, "One entry less.", any && position > 0.0))
+    if (icon_button(look, "##previous",
+                    {.icon = Icon::Previous, .about = "One entry less.", .enabled = any && position > 0.0}))
         set_position(scene, std::ceil(position) - 1.0);
     ImGui::SameLine(0, look.px(2));
-    if (icon_button(look, "##next", Icon::Next, "One entry more.", any && position < count))
+    if (icon_button(look, "##next",
+                    {.icon = Icon::Next, .about = "One entry more.", .enabled = any && position < count}))
         set_position(scene, std::floor(position) + 1.0);
     ImGui::SameLine(0, look.px(6));
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (look.px(30) - ImGui::GetFrameHeight()) / 2);

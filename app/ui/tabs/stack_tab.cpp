@@ -139,7 +139,7 @@ void stack_products(const Look& look, const Scene& scene, StackTab& tab) {
     if (apart.largest == 0.0) return remark(look, look.good, "✓ The two are equal, to the last digit.");
     remark(look, apart.within_rounding ? look.good : look.bad,
            std::string(apart.within_rounding ? "✓ The two are equal but for rounding: " : "The two differ by ") +
-               fixed_unless_small(apart.largest, false) + " at most, " + fixed_unless_small(apart.relative, false) +
+               fixed_unless_small(apart.largest) + " at most, " + fixed_unless_small(apart.relative) +
                " of the largest entry.");
 }
 

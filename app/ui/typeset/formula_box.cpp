@@ -67,7 +67,7 @@ private:
         const ImFont* font = italic ? style.letters : script > 0 ? style.script : style.upright;
         return written(style, font, text, Ink::Plain);
     }
-    void append(MathBox box, float gap = 0.0f) {
+    void append(const MathBox& box, float gap = 0.0f) {
         level().last_ascent = box.ascent;
         level().row.back().box.append(box, gap);
     }
@@ -298,7 +298,7 @@ FormulaBox formula_box(const MathStyle& style, std::span<const formulas::Piece> 
 }
 
 MathBox derivative_name(const MathStyle& style, std::size_t which) {
-    const MathBox f = written(style, style.letters, "f", Ink::Plain);
+    MathBox f = written(style, style.letters, "f", Ink::Plain);
     if (which == 0) return f;
     MathBox box = written(style, style.upright, "∂", Ink::Plain);
     box.append(f);

@@ -58,12 +58,12 @@ ImVec4 color_of(const Look& look, Ink ink) {
     return look.text;
 }
 
-MathStyle math_style(const Look& look, bool tight, float shrink) {
+MathStyle math_style(const Look& look, NumberSize numbers, float shrink) {
     const Fonts& f = look.fonts;
     return {f.letters,
             f.upright,
             f.small,
-            tight ? f.small : f.numbers,
+            numbers == NumberSize::Small ? f.small : f.numbers,
             f.tiny,
             shrink,
             kEm * look.scale * shrink,

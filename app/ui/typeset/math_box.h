@@ -24,8 +24,8 @@ struct MathStyle {
     float em = 20.0f;      ///< of the letters, shrunk
     float weight = 1.25f;  ///< of brackets
 };
-/// `tight`: smaller numbers.
-MathStyle math_style(const Look& look, bool tight = false, float shrink = 1.0f);
+enum class NumberSize { Usual, Small };
+MathStyle math_style(const Look& look, NumberSize numbers = NumberSize::Usual, float shrink = 1.0f);
 
 /// Which part of an expression: 1 is the whole, then three bits a level.
 using Place = unsigned;

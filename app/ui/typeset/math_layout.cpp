@@ -32,7 +32,7 @@ struct Entry {
 };
 Entry entry_of(double number, int decimals) {
     if (number == 0.0) return {"0", ""};
-    std::string text = std::abs(number) < 9999.5 ? fixed_unless_small(number, false, decimals) : fixed(number);
+    std::string text = std::abs(number) < 9999.5 ? fixed_unless_small(number, decimals) : fixed(number);
     if (text.find_first_of("e\u2014") != std::string::npos) return {std::move(text), "", false};
     const auto point = text.find(kPoint);
     if (point == std::string::npos) return {std::move(text), ""};

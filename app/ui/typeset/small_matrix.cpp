@@ -16,7 +16,7 @@ constexpr float kRow = 17.0f, kLabel = 18.0f, kPad = 3.0f;
 
 std::string entry_text(const Value& value, int row, int column, int decimals) {
     const double number = value.clean(row, column);
-    return number == 0.0 ? "0" : fixed_unless_small(number, false, decimals);
+    return number == 0.0 ? "0" : fixed_unless_small(number, decimals);
 }
 
 // As many decimals as fit into the columns, at most two: the numbers are to be compared at a glance.

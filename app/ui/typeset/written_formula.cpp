@@ -36,7 +36,7 @@ WrittenFormula lay_out(const Look& look, const std::string& text, float width) {
     }
     // All of one size: as large as leaves each on one line, or else somewhat smaller over several.
     for (const float shrink : {1.0f, 0.85f, 0.7f}) {
-        const MathStyle style = math_style(look, false, shrink);
+        const MathStyle style = math_style(look, NumberSize::Usual, shrink);
         bool fits = true;
         for (std::size_t i = 0; i < 4; ++i) {
             result.boxes[i] = formula_box(style, pieces[i], width, kMostLines);

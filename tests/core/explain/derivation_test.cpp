@@ -207,7 +207,7 @@ TEST(Derivation, JsonAgreesWithEigen) {
         }
         const M3 m3 = m3_of(j.at("M"));  // from here on, M as the program has it
         const Eigen::JacobiSVD<M3> svd(m3, Eigen::ComputeFullU | Eigen::ComputeFullV);
-        const V3 sigma = svd.singularValues();
+        const V3& sigma = svd.singularValues();
         const int rank = j.at("rank").get<int>();
         int largest_rank = 0;
         while (largest_rank < 3 && sigma[largest_rank] > 8e-16L * sigma[0]) ++largest_rank;

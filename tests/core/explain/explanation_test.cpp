@@ -2,7 +2,7 @@
 
 #include "core/explain/latex.h"
 #include "core/explain/text_box.h"
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
 #include "core/scene/scene_json.h"
 
 #include <gtest/gtest.h>

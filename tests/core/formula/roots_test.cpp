@@ -103,6 +103,11 @@ TEST(FormulaRoots, OfFunctions) {
     expect_roots("tan(x-5) + 0z", {{5 - std::acos(-1.0)}, {5}, {5 + std::acos(-1.0)}}, 1e-9);
     expect_roots("sin(x) - 1", {{std::acos(-1.0) / 2, true}, {5 * std::acos(-1.0) / 2, true}}, 1e-6);
     expect_roots("x^1e9 + 1", {});
+    expect_roots("1/(x-4)^2", {});
+    expect_roots("exp(1/(x-2)) - 2", {{2 + 1 / std::log(2.0)}}, 1e-9);  // beside a pole it overflows
+    expect_roots("floor(x) - 3.5", {});                                 // nor is a jump
+    expect_roots("mod(x, 4) - 1", {{1}, {5}, {9}}, 1e-9);
+    expect_roots("(x-2)/(x-4)^3", {{2}}, 1e-9);
     expect_roots("sqrt(-1-x^2)", {});
 }
 

@@ -1,7 +1,7 @@
 #include "core/lessons/exercise.h"
 #include "core/picture/make_frame.h"
 
-#include "core/picture/answer_arrow.h"
+#include "core/picture/exercise_arrow.h"
 #include "core/surface/surface.h"
 #include "random.h"
 
@@ -97,7 +97,7 @@ TEST(Exercise, QuestionsHaveOneRightChoiceAndReasons) {
             const Exercise e = make_exercise(seed, number);
             ASSERT_TRUE(e.question);
             int right = 0;
-            for (const Answer& choice : e.question->choices) {
+            for (const Choice& choice : e.question->choices) {
                 right += choice.right ? 1 : 0;
                 EXPECT_FALSE(choice.because.empty());
             }
@@ -114,11 +114,11 @@ TEST(Exercise, TheAnswerCanBeDragged) {
         const Frame frame = make_frame(e.scene, surfaces.get(e.scene), {.rect = {{0, 0}, {1200, 800}}});
         ASSERT_TRUE(frame.probe);
         EXPECT_LT(glm::length(frame.probe->object.point.xyz - e.at.xyz), 0.01);
-        GuessArrow best;
+        ExerciseArrow best;
         double off = 180.0;
         for (int y = 0; y < 800; y += 4)
             for (int x = 0; x < 1200; x += 4) {
-                GuessArrow arrow;
+                ExerciseArrow arrow;
                 arrow.drag_to(frame, e.scene.arrows.length, 1.0, {x, y});
                 const double degrees = judge(e, arrow.direction, 0).degrees_off;
                 if (degrees < off) off = degrees, best = arrow;

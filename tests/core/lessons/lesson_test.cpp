@@ -2,7 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/lessons/lesson_player.h"
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
 #include "core/scene/scene_blend.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 std::string error_of(const std::string& text) {
     try {
-        (void)parse_lesson(text, "my.json");
+        (void)parse_lesson({text, "my.json", {}});
     } catch (const InputError& e) {
         return e.what();
     }
@@ -26,12 +26,13 @@ std::string lesson(const std::string& steps) {
 }
 
 TEST(Lesson, StepsChangeTheSceneOneAfterTheOther) {
-    const Lesson mine = parse_lesson(lesson(R"(
+    const Lesson mine = parse_lesson({lesson(R"(
         {"caption": "a", "scene": {"stack": [{"scale": [1, 2, 1]}], "camera": {"zoom": 2}}},
         {"caption": "b", "scene": {"rule": "naive", "camera": {"azimuth": 5}, "surface": {"shape": "torus"}}},
         {"caption": "c", "scene": {"surface": {"formula": "x^2+a*y^2=1", "parameters": {"a": 2}}}},
         {"caption": "d", "scene": {"surface": {"parameters": {"a": 3}}}})"),
-                                     "my.json");
+                                      "my.json",
+                                      {}});
     ASSERT_EQ(mine.steps.size(), 4u);
     EXPECT_EQ(mine.steps[1].scene.camera.zoom, 2.0);
     EXPECT_EQ(mine.steps[1].scene.camera.azimuth, 5.0);

@@ -1,7 +1,7 @@
 #include "core/lessons/link.h"
 #include "core/base/error.h"
 #include "core/lessons/lesson.h"
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
 #include "random.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "core/base/temporary_folder.h"
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
 #include "core/scene/scene_json.h"
 #include "killed_while_saving.h"
 

@@ -1,7 +1,7 @@
 #include "core/picture/drawn_box.h"
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
 #include "core/picture/make_frame.h"
-#include "core/scene/scene_json.h"
+#include "core/scene/setting.h"
 #include "core/surface/surface.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 #include "core/scene/history.h"
+#include "core/scene/scene.h"
 
 #include <gtest/gtest.h>
 

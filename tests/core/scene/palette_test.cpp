@@ -53,7 +53,7 @@ TEST(ColorBlind, ArrowsOnTheObjectStayApart) {
             for (std::size_t k = 0; k < i; ++k)
                 EXPECT_TRUE(
                     glm::length(as_deuteranopes_see(arrows[i].color) - as_deuteranopes_see(arrows[k].color)) > 15.0 ||
-                    arrows[i].two_heads != arrows[k].two_heads ||
+                    arrows[i].look != arrows[k].look ||
                     std::max(arrows[i].radius, arrows[k].radius) > 1.5f * std::min(arrows[i].radius, arrows[k].radius))
                     << i << k;
     }

@@ -1,5 +1,5 @@
 #include "core/scene/scene_json.h"
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -62,6 +62,8 @@ TEST(SceneJson, ErrorsNameThePath) {
         for (int i = 0; i < 1000; ++i) text += std::string(i ? "," : "") + R"({"scale": [1, 1, 1]})";
         return text + "]}";
     }();
+    const std::string long_key = "{\"" + std::string(100'000, 'k') + "\": 1}",
+                      no_json = "[" + std::string(100'000, 'x');
     std::string overflow = R"({"stack": [)";
     for (int i = 0; i < 100; ++i) overflow += std::string(i ? "," : "") + R"({"scale": [1e9, 1, 1]})";
     overflow += "]}";
@@ -83,8 +85,13 @@ TEST(SceneJson, ErrorsNameThePath) {
         {R"({"stack": {"scale": [1, 1, 1]}})", {"stack", "array"}},
         {R"({"stack": [{"scale": [1, 1]}]})", {"stack.0.scale", "3 numbers"}},
         {R"({"stack": [{"scale": [1, "2", 1]}]})", {"stack.0.scale.1", "a number", "\"2\""}},
-        {R"({"stack": [{"scale": [1, NaN, 1]}]})", {"not valid JSON"}},
-        {R"({"stack": [{"scale": [1, 1e999, 1]}]})", {"overflow", "1e999"}},
+        {R"({"stack": [{"scale": [1, NaN, 1]}]})", {": stack.0.scale.1: NaN is no number"}},
+        {R"({"stack": [{"scale": [1, 1, -Infinity]}]})", {": stack.0.scale.2: -Infinity is no number"}},
+        {R"({"camera": {"zoom": 1e999}})", {": camera.zoom: 1e999 is too large"}},
+        {R"({"rule": "naive", "rule": "cofactor"})", {": rule: is there twice"}},
+        {R"({"stack": [{"rotate": {"degrees": 1, "axis": [0, 0, 1], "degrees": 2}}]})",
+         {": stack.0.rotate.degrees: is"}},
+        {R"({"surface": {"mesh": ""}})", {"surface.mesh", "empty"}},
         {R"({"stack": [{"scale": [1, 1e10, 1]}]})", {"stack.0.scale.1", "out of range"}},
         {R"({"stack": [{"scale": [1, null, 1]}]})", {"stack.0.scale.1", "a number"}},
         {R"({"stack": [{"scale": [1, 1, 1]}, {"twist": 1}]})", {"stack.1", "scale, rotate, translate, shear, matrix"}},
@@ -93,6 +100,8 @@ TEST(SceneJson, ErrorsNameThePath) {
         {R"({"stack": [{"rotate": {"axis": [0, 0, 0]}}]})", {"stack.0.rotate.axis", "zero"}},
         {R"({"stack": [{"matrix": [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,true]]}]})", {"stack.0.matrix.3.3"}},
         {thousand.c_str(), {"stack", "1000", "200"}},
+        {long_key.c_str(), {"kkk…: unknown key"}},
+        {no_json.c_str(), {"not valid JSON"}},
         {overflow.c_str(), {"stack", "too large"}},
         {R"({"camera": {"zoom": 0}})", {"camera.zoom", "out of range"}},
         {R"({"camera": {"elevation": 91}})", {"camera.elevation", "-90", "90"}},
@@ -116,49 +125,6 @@ TEST(SceneJson, DeepNestingIsAnError) {
     const std::string deep(100'000, '['), closed = deep + std::string(100'000, ']');
     for (const std::string& text : {deep, closed, R"({"stack": )" + closed + "}", R"({"unknown": )" + closed + "}"})
         EXPECT_NE(message_of([&] { parse_scene(text, "x"); }).find("deep"), std::string::npos);
-    EXPECT_NE(message_of([&] { with_setting({}, "probe=" + closed); }).find("deep"), std::string::npos);
-}
-
-TEST(Setting, ChangesOneValue) {
-    Scene scene;
-    scene.stack = {Scale{{1, 2, 3}}};
-    EXPECT_EQ(with_setting(scene, "rule=naive").rule, Rule::Naive);
-    EXPECT_EQ(with_setting(scene, "rule=\"naive\"").rule, Rule::Naive);
-    EXPECT_EQ(std::get<Scale>(with_setting(scene, "stack.0.scale=[4,5,6]").stack[0]).factors, glm::dvec3(4, 5, 6));
-    EXPECT_EQ(std::get<Scale>(with_setting(scene, "stack.0.scale.1=-1e-3").stack[0]).factors, glm::dvec3(1, -1e-3, 3));
-    EXPECT_EQ(std::get<Rotate>(with_setting(scene, R"(stack.1={"rotate":{"degrees":45}})").stack[1]).degrees, 45.0);
-    EXPECT_EQ(with_setting(scene, "stack.0.translate=[1,0,0]").stack[0], StackEntry{(Translate{{1, 0, 0}})});
-    EXPECT_TRUE(with_setting(scene, "stack=[]").stack.empty());
-    EXPECT_EQ(std::get<MeshSurface>(with_setting(scene, "surface.mesh=a=b.obj").surface).mesh, "a=b.obj");
-    EXPECT_EQ(std::get<ShapeSurface>(with_setting(scene, "surface.shape=cone").surface).shape, Shape::Cone);
-    EXPECT_EQ(with_setting(scene, "probe=[1,2,3]").probe, Point<Object>{(glm::dvec3(1, 2, 3))});
-    EXPECT_EQ(with_setting(with_setting(scene, "probe=[1,2,3]"), "probe=null"), scene);
-    EXPECT_EQ(with_setting(scene, "arrows.show=[\"naive\"]").arrows.show, std::vector{ArrowKind::Naive});
-    EXPECT_EQ(with_setting(scene, "show.grid=false").show.grid, false);
-    EXPECT_EQ(with_setting(scene, "about=two words").about, "two words");
-}
-
-TEST(Setting, ErrorsNameThePath) {
-    Scene scene;
-    scene.stack = {Scale{{1, 2, 3}}};
-    for (const char* text : {"rule", "=naive", ""}) EXPECT_THROW(with_setting(scene, text), UsageError) << text;
-    for (const auto& [text, says] :
-         std::vector<std::pair<const char*, const char*>>{{"rule=wrong", "rule"},
-                                                          {"rules=naive", "unknown key"},
-                                                          {"arrows.len=1", "arrows.len"},
-                                                          {"stack.3.scale=[1,1,1]", "stack.3"},
-                                                          {"stack.x.scale=[1,1,1]", "stack.x"},
-                                                          {"stack.0.scale.1=two", "stack.0.scale.1"},
-                                                          {"stack.0.scale.3=2", "stack.0.scale.3"},
-                                                          {"stack.0.scale=1e999", "stack.0.scale"},
-                                                          {"rule.naive=1", "rule.naive"},
-                                                          {"stack.1=1", "stack.1"},
-                                                          {"camera..zoom=1", "camera."},
-                                                          {"camera.zoom=NaN", "camera.zoom"}}) {
-        const std::string message = message_of([&, t = text] { with_setting(scene, t); });
-        EXPECT_TRUE(message.starts_with("--set ")) << message;
-        EXPECT_NE(message.find(says), std::string::npos) << text << "\n" << message;
-    }
 }
 
 TEST(BuiltInScenes, AllReadBackAndSayWhatTheyShow) {

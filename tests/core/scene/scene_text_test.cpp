@@ -32,7 +32,7 @@ Scene random_scene(Random& random) {
     s.camera = {
         random.uniform(-400.0, 400.0), random.uniform(-90.0, 90.0), random.uniform(0.001, 1000.0), {random.vector()}};
     s.light = {random.uniform(-400.0, 400.0), random.uniform(-90.0, 90.0)};
-    s.color = any_of<SurfaceColor>(random, 2);
+    s.color = any_of<SurfaceColor>(random, 3);
     s.theme = any_of<Theme>(random, 2);
     s.show = {random.chance(0.5), random.chance(0.5), random.chance(0.5),
               random.chance(0.5), random.chance(0.5), random.chance(0.5)};

@@ -14,8 +14,8 @@ namespace {
 
 TEST(ErrorMeasures, HistogramHoldsEveryNormalOnce) {
     const Mesh sphere = make_shape({.shape = Shape::Sphere});
-    const NormalMatrices matrices = normal_matrices(glm::dmat3(0.5, 0, 0, 0, 2, 0, 0, 0, 1));
-    const auto histogram = error_histogram(sphere, {.matrix = glm::dmat4(matrices.naive)}, matrices);
+    const Transform<World, Object> m(glm::dmat4(glm::dmat3(0.5, 0, 0, 0, 2, 0, 0, 0, 1)));
+    const auto histogram = error_histogram(sphere, {.matrix = glm::dmat4(m.normal_matrices_by_rule().naive)}, m);
     ASSERT_TRUE(histogram);
     EXPECT_NEAR(std::accumulate(histogram->shares.begin(), histogram->shares.end(), 0.0), 1.0, 1e-12);
     EXPECT_EQ(histogram->most_degrees, 90.0);
@@ -25,20 +25,19 @@ TEST(ErrorMeasures, HistogramHoldsEveryNormalOnce) {
 
 TEST(ErrorMeasures, HistogramOfARigidMapIsOneBar) {
     const Mesh cube = make_shape({.shape = Shape::Cube});
-    const NormalMatrices matrices = normal_matrices(glm::dmat3(glm::rotate(glm::dmat4(1.0), 1.0, {1.0, 2.0, 3.0})));
-    const auto histogram = error_histogram(cube, {.matrix = glm::dmat4(matrices.naive)}, matrices);
+    const Transform<World, Object> m(glm::rotate(glm::dmat4(1.0), 1.0, {1.0, 2.0, 3.0}));
+    const auto histogram = error_histogram(cube, {.matrix = m.matrix()}, m);
     ASSERT_TRUE(histogram);
     EXPECT_NEAR(histogram->shares.front(), 1.0, 1e-12);
 }
 
 TEST(ErrorMeasures, ThereIsNoHistogramWithoutAnInverse) {
-    const NormalMatrices flat = normal_matrices(glm::dmat3(1, 0, 0, 0, 1, 0, 0, 0, 0));
-    EXPECT_FALSE(error_histogram(make_shape({}), {.matrix = glm::dmat4(flat.naive)}, flat));
+    const Transform<World, Object> flat(glm::dmat4(glm::dmat3(1, 0, 0, 0, 1, 0, 0, 0, 0)));
+    EXPECT_FALSE(error_histogram(make_shape({}), {.matrix = flat.matrix()}, flat));
 }
 
 TEST(ErrorMeasures, AMistakeMayTurnNormalsFartherThanARightAngle) {
-    const NormalMatrices matrices = normal_matrices(glm::dmat3(1.0));
-    const auto histogram = error_histogram(make_shape({}), {.matrix = glm::dmat4(-1.0)}, matrices);
+    const auto histogram = error_histogram(make_shape({}), {.matrix = glm::dmat4(-1.0)}, Transform<World, Object>());
     ASSERT_TRUE(histogram);
     EXPECT_EQ(histogram->most_degrees, 180.0);
     EXPECT_NEAR(histogram->shares.back(), 1.0, 1e-12);

@@ -1,5 +1,5 @@
 #include "core/surface/gradient_report.h"
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>

@@ -42,7 +42,7 @@ TEST_P(Shapes, AreClosedOrientedAndExact) {
     const Mesh mesh = make_shape({expected.shape, resolution});
     ASSERT_EQ(mesh.positions.size(), mesh.normals.size());
     ASSERT_EQ(mesh.normal_source, NormalSource::Exact);
-    EXPECT_EQ(mesh.note, "");
+    EXPECT_TRUE(mesh.notes.empty());
     for (const glm::dvec3& n : mesh.normals) EXPECT_NEAR(glm::length(n), 1.0, 1e-14);
     for (const glm::dvec3& p : mesh.positions)
         EXPECT_LE(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}), 1.0 + 1e-14);

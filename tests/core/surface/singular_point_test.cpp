@@ -26,7 +26,7 @@ TEST(SingularPoint, AConesApexHasAFanOfNormals) {
     const ImplicitSurface cone = surface("x^2+z^2-y^2");
     EXPECT_TRUE(is_singular(cone, {}));
     EXPECT_FALSE(is_singular(cone, {{0.001, 0.001, 0.0}}));
-    const SingularPoint apex = singular_point(cone, {}, Borrow{.azimuth = 90.0, .elevation = 45.0});
+    const SingularPoint apex = singular_point(cone, {}, Direction<Object>{.azimuth = 90.0, .elevation = 45.0});
     EXPECT_FALSE(apex.undefined);
     ASSERT_EQ(apex.fan.size(), 2u);
     EXPECT_GT(size_of(apex), 200u);
@@ -75,7 +75,7 @@ TEST(SingularPoint, CayleysDoublePoints) {
 // x² = y² z: along the z axis two sheets cross where z > 0, and there is nothing else where z < 0.
 TEST(SingularPoint, WhitneysDoubleLine) {
     const ImplicitSurface whitney = surface("x^2-y^2*z");
-    const SingularPoint crossing = singular_point(whitney, {{0.0, 0.0, 1.0}}, Borrow{.azimuth = 60.0});
+    const SingularPoint crossing = singular_point(whitney, {{0.0, 0.0, 1.0}}, Direction<Object>{.azimuth = 60.0});
     EXPECT_FALSE(crossing.fan.empty());
     for (const auto& curve : crossing.fan)
         for (const Normal<Object>& n : curve) {
@@ -89,7 +89,7 @@ TEST(SingularPoint, WhitneysDoubleLine) {
     EXPECT_NEAR(near->xyz.x, 0.0, 1e-9);
     EXPECT_NEAR(near->xyz.y, 0.0, 1e-9);
 
-    const SingularPoint stick = singular_point(whitney, {{0.0, 0.0, -1.0}}, Borrow{});
+    const SingularPoint stick = singular_point(whitney, {{0.0, 0.0, -1.0}}, Direction<Object>{});
     EXPECT_TRUE(stick.fan.empty());
     EXPECT_FALSE(stick.lender);
 }
@@ -104,7 +104,7 @@ TEST(SingularPoint, TheProbeBorrowsOnlyWhenTold) {
     const ProbeInWorld world = in_world(*none, {});
     for (const auto& n : world.normals) EXPECT_FALSE(n);
 
-    const Borrow borrow{.azimuth = 10.0, .elevation = -40.0};
+    const Direction<Object> borrow{.azimuth = 10.0, .elevation = -40.0};
     const auto borrowed = nearest_probe(cone, {}, borrow);
     ASSERT_TRUE(borrowed && borrowed->borrowed_from);
     EXPECT_NEAR(glm::length(borrowed->normal.xyz), 1.0, 1e-12);
@@ -120,7 +120,7 @@ TEST(SingularPoint, TheProbeBorrowsOnlyWhenTold) {
 TEST(SingularPoint, ADoubledSphereHasTwoLimits) {
     const ImplicitSurface doubled = surface("(x^2+y^2+z^2-1)^2");
     const glm::dvec3 at(0.48, 0.6, 0.64);
-    const SingularPoint point = singular_point(doubled, {at}, Borrow{.azimuth = 30.0, .elevation = 30.0});
+    const SingularPoint point = singular_point(doubled, {at}, Direction<Object>{.azimuth = 30.0, .elevation = 30.0});
     ASSERT_EQ(point.fan.size(), 2u);
     for (const auto& side : point.fan) EXPECT_NEAR(std::abs(glm::dot(side.at(0).xyz, at)), 1.0, 1e-4);
     EXPECT_NEAR(glm::dot(point.fan[0][0].xyz, point.fan[1][0].xyz), -1.0, 1e-4);

@@ -1,5 +1,5 @@
 #include "ui/kit/previews.h"
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
 #include "core/picture/preview.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 #include "ui/lecture/lecture.h"
 
+#include "core/lessons/open.h"
+
 #include <gtest/gtest.h>
 
 namespace normalscope {

@@ -1,4 +1,4 @@
-#include "core/lessons/open_scene.h"
+#include "core/lessons/open.h"
 #include "core/picture/make_frame.h"
 #include "core/scene/scene_json.h"
 #include "core/surface/surface.h"

@@ -1,4 +1,4 @@
-#include "core/picture/answer_arrow.h"
+#include "core/picture/exercise_arrow.h"
 
 #include "core/picture/solids.h"
 
@@ -14,7 +14,8 @@ namespace {
 
 double length_of(const Frame& frame, double arrow_length, double pixel_scale) {
     const Pane& pane = frame.panes.front();
-    return std::max(4.6 * arrow_length, 70.0 * pixel_scale * pane.view.world_per_pixel(frame.probe->point));
+    return std::max(4.6 * frame.unit * arrow_length,
+                    70.0 * pixel_scale * pane.view.world_per_pixel(frame.probe->point));
 }
 
 glm::dvec2 place(const Pane& pane, Point<World> p) {
@@ -23,7 +24,7 @@ glm::dvec2 place(const Pane& pane, Point<World> p) {
 
 }  // namespace
 
-void GuessArrow::add_to(Frame& frame, double arrow_length, double pixel_scale, const std::string& label) const {
+void ExerciseArrow::add_to(Frame& frame, double arrow_length, double pixel_scale, const std::string& label) const {
     if (!frame.probe || frame.panes.empty()) return;
     const double length = length_of(frame, arrow_length, pixel_scale);
     const glm::vec3 color = theme_colors(frame.theme).text;
@@ -39,7 +40,7 @@ void GuessArrow::add_to(Frame& frame, double arrow_length, double pixel_scale, c
     }
 }
 
-bool GuessArrow::near(const Frame& frame, double arrow_length, double pixel_scale, glm::dvec2 pixel) const {
+bool ExerciseArrow::near(const Frame& frame, double arrow_length, double pixel_scale, glm::dvec2 pixel) const {
     if (!frame.probe || frame.panes.empty()) return false;
     const Pane& pane = frame.panes.front();
     const double length = length_of(frame, arrow_length, pixel_scale);
@@ -50,7 +51,7 @@ bool GuessArrow::near(const Frame& frame, double arrow_length, double pixel_scal
     return glm::length(pixel - (base + t * along)) < 14.0 * pixel_scale;
 }
 
-void GuessArrow::drag_to(const Frame& frame, double arrow_length, double pixel_scale, glm::dvec2 pixel) {
+void ExerciseArrow::drag_to(const Frame& frame, double arrow_length, double pixel_scale, glm::dvec2 pixel) {
     if (!frame.probe || frame.panes.empty()) return;
     const Pane& pane = frame.panes.front();
     const double radius =
@@ -64,7 +65,7 @@ void GuessArrow::drag_to(const Frame& frame, double arrow_length, double pixel_s
     direction = {glm::normalize(flat / out * (x * right + y * up) + std::sqrt(1.0 - flat * flat) * back)};
 }
 
-void GuessArrow::turn(const Frame& frame, double right_degrees, double up_degrees) {
+void ExerciseArrow::turn(const Frame& frame, double right_degrees, double up_degrees) {
     if (frame.panes.empty()) return;
     const CameraView& view = frame.panes.front().view;
     const glm::dvec3 right = view.right().xyz, up = view.up().xyz, back = glm::cross(right, up);

@@ -8,7 +8,7 @@ namespace normalscope {
 
 /// An arrow at the probe that somebody turns by hand. Dragging takes the half of all directions that faces the camera:
 /// the tip is under the pointer, on a ball as large as the arrow is long, or on its rim.
-struct GuessArrow {
+struct ExerciseArrow {
     Vector<World> direction{{0.0, 1.0, 0.0}};  ///< unit
 
     /// Draws it, dark or light as the theme's text is, with `label` at its tip. Nothing without a probe.

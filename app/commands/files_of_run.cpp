@@ -1,0 +1,97 @@
+#include "commands/files_of_run.h"
+
+#include "core/base/error.h"
+#include "core/base/links.h"
+#include "core/lessons/lesson.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+namespace normalscope {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string with_other_case(std::string text) {
+    for (char& c : text) {
+        const auto u = static_cast<unsigned char>(c);
+        c = static_cast<char>(std::islower(u) ? std::toupper(u) : std::tolower(u));
+    }
+    return text;
+}
+
+std::string in_small_letters(std::string text) {
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+// Whether a disk takes "A" and "a" for one name, judged by the folder's own name.
+bool takes_any_case(const fs::path& folder) {
+    const fs::path other = folder.parent_path() / with_other_case(folder.filename().string());
+    std::error_code ignored;
+    return other != folder && fs::equivalent(folder, other, ignored);
+}
+
+std::string identity(const struct stat& status) {
+    return std::to_string(status.st_dev) + ":" + std::to_string(status.st_ino);
+}
+
+// Empty for what is no plain file, and may well be written twice: /dev/null.
+std::string identity(const fs::path& file) {
+    struct stat status{};
+    if (::stat(file.c_str(), &status) == 0) return S_ISREG(status.st_mode) ? identity(status) : "";
+    std::error_code error;
+    const fs::path end = fs::absolute(without_links(file), error);
+    const fs::path folder = fs::weakly_canonical(end.parent_path(), error);
+    const std::string name = end.filename().string();
+    return ((error ? end.parent_path() : folder) / (takes_any_case(folder) ? in_small_letters(name) : name)).string();
+}
+
+}  // namespace
+
+FilesOfRun::FilesOfRun(std::string manifest) : manifest_(std::move(manifest)) {
+    if (!manifest_.empty()) reads(manifest_, "the manifest " + manifest_);
+    struct stat status{};
+    if (::fstat(STDOUT_FILENO, &status) == 0 && S_ISREG(status.st_mode))
+        add(identity(status), {"standard output", true, false});
+}
+
+void FilesOfRun::add(const std::string& identity, const Entry& entry) {
+    if (identity.empty()) return;
+    const auto [place, is_new] = entries_.try_emplace(identity, entry);
+    if (is_new) return;
+    const Entry& other = place->second;
+    if (!entry.written && !other.written) return;
+    const std::string line = entry.name + " is the same file as " + other.name +
+                             "; give each a file of its own, or one would be written over the other";
+    if (entry.of_manifest || other.of_manifest) throw InputError(manifest_ + ": " + line);
+    throw UsageError(line);
+}
+
+void FilesOfRun::reads(const fs::path& file, const std::string& name) { add(identity(file), {name, false, false}); }
+void FilesOfRun::writes(const fs::path& file, const std::string& name) { add(identity(file), {name, true, false}); }
+void FilesOfRun::writes(const Output& to, const std::string& option) {
+    if (!to.is_standard()) writes(to.file, option + " " + to.file.string());
+}
+void FilesOfRun::manifest_writes(const fs::path& file, const std::string& name) {
+    add(identity(file), {name, true, true});
+}
+
+void FilesOfRun::reads_scene(const std::string& file, const Scene& scene) {
+    std::error_code ignored;
+    const std::string name = fs::exists(file, ignored) ? file : file.substr(0, file.rfind('#'));  // a lesson's step
+    if (fs::exists(name, ignored)) reads(name, "the scene " + name);
+    if (const auto* mesh = std::get_if<MeshSurface>(&scene.surface)) reads(mesh->mesh, "the mesh " + mesh->mesh);
+}
+
+bool FilesOfRun::same(const fs::path& a, const fs::path& b) {
+    const std::string identity_of_a = identity(a);
+    return !identity_of_a.empty() && identity_of_a == identity(b);
+}
+
+}  // namespace normalscope

@@ -1,0 +1,105 @@
+#include "commands/junit.h"
+
+#include "core/base/decimal.h"
+#include "core/base/utf8.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <filesystem>
+
+namespace normalscope {
+
+namespace {
+
+// XML 1.0 has no way at all to write control characters, U+FFFE and U+FFFF.
+std::string xml_text(const std::string& text) {
+    std::string out;
+    const std::string line = in_one_line(text);
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const std::string_view rest = std::string_view(line).substr(i, 3);
+        const bool is_none = rest == "\uFFFE" || rest == "\uFFFF";
+        switch (line[i]) {
+            case '&': out += "&amp;"; break;
+            case '<': out += "&lt;"; break;
+            case '>': out += "&gt;"; break;
+            case '"': out += "&quot;"; break;
+            default: out += is_none ? std::string("\uFFFD") : std::string(1, line[i]);
+        }
+        i += is_none ? 2 : 0;
+    }
+    return out;
+}
+
+std::string attribute(const char* name, const std::string& value) {
+    return std::string(" ") + name + "=\"" + xml_text(value) + "\"";
+}
+
+std::string seconds_text(double seconds) { return with_decimals(seconds, 3); }
+
+// In UTC, as the schema that services know wants it: without a zone.
+std::string now() {
+    const std::time_t time = std::time(nullptr);
+    std::tm utc{};
+    ::gmtime_r(&time, &utc);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &utc);
+    return text;
+}
+
+std::string host_name() {
+    std::array<char, 256> name{};
+    return ::gethostname(name.data(), name.size() - 1) == 0 && name[0] ? name.data() : "localhost";
+}
+
+std::string counts(const std::vector<CheckResult>& results) {
+    const auto count = [&](CheckState state) {
+        return std::to_string(std::ranges::count_if(results, [&](const CheckResult& r) { return r.state == state; }));
+    };
+    double total = 0.0;
+    for (const CheckResult& r : results) total += r.seconds;
+    return attribute("tests", std::to_string(results.size())) + attribute("failures", count(CheckState::Fail)) +
+           attribute("errors", count(CheckState::Error)) + attribute("skipped", count(CheckState::Skipped)) +
+           attribute("time", seconds_text(total));
+}
+
+std::string type_of(const CheckResult& r) {
+    if (r.state == CheckState::Error) return "Error";
+    if (r.reference_differs) return r.numbers_wrong ? "PictureAndNumbersDiffer" : "PictureDiffers";
+    return "NumbersDiffer";
+}
+
+// As seen from where the program runs, which is where a service looks.
+std::string attachments(const CheckResult& r) {
+    std::string lines;
+    for (const std::filesystem::path& file : r.evidence)
+        lines +=
+            "[[ATTACHMENT|" + xml_text(file.lexically_proximate(std::filesystem::current_path()).string()) + "]]\n";
+    return lines.empty() ? lines : "      <system-out>" + lines + "</system-out>\n";
+}
+
+std::string outcome(const CheckResult& r) {
+    if (r.state == CheckState::Skipped) return "      <skipped" + attribute("message", r.line) + "/>\n";
+    const std::string tag = r.state == CheckState::Fail ? "failure" : "error";
+    return "      <" + tag + attribute("message", r.line) + attribute("type", type_of(r)) + ">" + xml_text(r.line) +
+           "</" + tag + ">\n" + attachments(r);
+}
+
+}  // namespace
+
+std::string junit_xml(const std::string& suite, const std::vector<CheckResult>& results) {
+    const std::string all = counts(results);
+    std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + all + ">\n  <testsuite" +
+                      attribute("name", suite) + all + attribute("timestamp", now()) +
+                      attribute("hostname", host_name()) + ">\n";
+    for (const CheckResult& r : results) {
+        xml += "    <testcase" + attribute("classname", suite) + attribute("name", r.name) +
+               attribute("time", seconds_text(r.seconds));
+        xml += r.state == CheckState::Pass ? "/>\n" : ">\n" + outcome(r) + "    </testcase>\n";
+    }
+    return xml + "  </testsuite>\n</testsuites>\n";
+}
+
+}  // namespace normalscope

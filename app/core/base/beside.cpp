@@ -1,0 +1,40 @@
+#include "core/base/beside.h"
+
+#include <future>
+#include <thread>
+
+namespace normalscope {
+
+namespace {
+
+#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
+constexpr bool kHasThreads = false;
+#else
+constexpr bool kHasThreads = true;
+#endif
+
+std::launch policy(Begin begin) {
+    if (!kHasThreads || begin == Begin::WhenAsked) return std::launch::deferred;
+    return std::launch::async | std::launch::deferred;  // the latter only where no more threads can be had
+}
+
+}  // namespace
+
+struct BackgroundTask::Thread {
+    std::future<void> end;
+};
+
+BackgroundTask::BackgroundTask(std::function<void()> work, Begin begin)
+    : thread_(std::make_unique<Thread>(Thread{std::async(policy(begin), std::move(work))})) {}
+BackgroundTask::~BackgroundTask() = default;  // as that of std::async's futures
+BackgroundTask::BackgroundTask(BackgroundTask&&) noexcept = default;
+BackgroundTask& BackgroundTask::operator=(BackgroundTask&&) noexcept = default;
+
+bool BackgroundTask::ready(std::chrono::milliseconds patience) const {
+    return thread_->end.wait_for(patience) != std::future_status::timeout;
+}
+void BackgroundTask::finish() { thread_->end.get(); }
+
+std::size_t processors() { return kHasThreads ? std::max<std::size_t>(std::thread::hardware_concurrency(), 1) : 1; }
+
+}  // namespace normalscope

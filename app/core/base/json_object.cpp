@@ -1,0 +1,77 @@
+#include "core/base/json_object.h"
+
+#include "core/base/text.h"
+#include "core/base/utf8.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace normalscope {
+
+using Json = nlohmann::ordered_json;
+
+std::string shown(const Json& json, std::size_t most_bytes) {
+    return shortened(json.dump(-1, ' ', false, Json::error_handler_t::replace), most_bytes);
+}
+
+void fail_kind(const JsonPath& path, const std::string& expected, const Json& found) {
+    throw JsonError(path, "expected " + expected + ", found " + shown(found));
+}
+
+void read_value(const Json& json, const JsonPath& path, bool& value) {
+    if (!json.is_boolean()) fail_kind(path, "true or false", json);
+    value = json.get<bool>();
+}
+void read_value(const Json& json, const JsonPath& path, std::string& value) {
+    if (!json.is_string()) fail_kind(path, "a string", json);
+    value = json.get<std::string>();
+}
+void read_value(const Json& json, const JsonPath& path, double& value, Range range) {
+    if (!json.is_number()) fail_kind(path, "a number", json);
+    const double number = json.get<double>();
+    if (!(number >= range.low && number <= range.high))
+        throw JsonError(
+            path, shown(json) + " is out of range; it goes from " + shown(range.low) + " to " + shown(range.high));
+    value = number;
+}
+void read_value(const Json& json, const JsonPath& path, int& value, Range range) {
+    double number = 0.0;
+    read_value(json, path, number, range);
+    if (number != std::floor(number)) fail_kind(path, "a whole number", json);
+    value = static_cast<int>(number);
+}
+
+JsonObject::JsonObject(const Json& json, JsonPath path, const std::string& expected)
+    : json_(json), path_(std::move(path)) {
+    if (!json.is_object()) fail_kind(path_, expected, json);
+}
+
+const Json* JsonObject::find(std::string_view key) {
+    known_.emplace_back(key);
+    const auto it = json_.find(key);
+    return it == json_.end() ? nullptr : &*it;
+}
+
+const Json& JsonObject::need(std::string_view key) {
+    const Json* json = find(key);
+    if (json) return *json;
+    std::vector<std::string> there;  // one of which may be misspelt
+    for (const auto& [other, ignored] : json_.items()) there.push_back(shortened(other, 20));
+    throw JsonError(path_, "lacks the key " + std::string(key) + (there.empty() ? "" : "; it has " + joined(there)));
+}
+
+void JsonObject::read_format(std::string_view key) {
+    const Json* json = find(key);
+    if (!json) return;
+    if (!json->is_number_integer()) fail_kind(at(key), "the format's number, 1", *json);
+    if (*json != 1) throw JsonError(at(key), "format " + shown(*json) + " is not known; this program reads format 1");
+}
+
+void JsonObject::no_other_keys() const {
+    for (const auto& [key, ignored] : json_.items())
+        if (std::ranges::count(known_, key) == 0)
+            throw JsonError(at(key), "unknown key; known here: " + joined(known_));
+}
+
+}  // namespace normalscope

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace normalscope {
+
+/// "one, two, three"
+std::string joined(std::span<const std::string> words, std::string_view between = ", ");
+
+/// "one, two or three"
+std::string alternatives(std::span<const std::string> words);
+
+/// The letters A to Z made small; all else, other scripts too, stays.
+std::string in_small_letters(std::string text);
+
+/// The text as one word of a POSIX shell.
+std::string shell_word(const std::string& text);
+
+}  // namespace normalscope

@@ -1,0 +1,81 @@
+#include "ui/kit/question.h"
+
+#include "ui/kit/widgets.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace normalscope {
+
+namespace {
+
+constexpr const char* kId = "##question";
+
+ImGuiKey key_of_initial(const std::string& word) { return static_cast<ImGuiKey>(ImGuiKey_A + (word.front() - 'A')); }
+
+}  // namespace
+
+void QuestionBox::ask(Asked what, std::string title, std::string text, std::vector<std::string> choices) {
+    asked_ = what;
+    appearing_ = true;
+    title_ = std::move(title);
+    text_ = std::move(text);
+    choices_ = std::move(choices);
+}
+
+std::optional<std::size_t> QuestionBox::buttons(const Look& look) const {
+    std::optional<std::size_t> chosen;
+    const float width = look.px(108), gap = look.px(8), all = static_cast<float>(choices_.size()) * (width + gap) - gap;
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - all);
+    for (std::size_t i = 0; i < choices_.size(); ++i) {
+        if (i > 0) ImGui::SameLine(0, gap);
+        const bool first = i == 0;
+        if (first) {
+            ImGui::PushStyleColor(ImGuiCol_Button, look.accent);
+            ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(look.accent, 0.85f));
+            ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(look.accent, 0.7f));
+            ImGui::PushStyleColor(ImGuiCol_Text, look.on_accent);
+        }
+        const bool pressed = ImGui::Button(choices_[i].c_str(), {width, 0});
+        if (!chosen && (pressed || ImGui::IsKeyPressed(key_of_initial(choices_[i]), false))) chosen = i;
+        if (first) ImGui::PopStyleColor(4);
+    }
+    const bool enter = ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeypadEnter, false);
+    if (enter && !ImGui::GetIO().NavVisible) chosen = 0;  // else it presses the button that it stands on
+    return chosen;
+}
+
+void QuestionBox::draw(const Look& look, Requests& requests) {
+    if (!asked_) return;
+    if (std::exchange(appearing_, false)) ImGui::OpenPopup(kId);
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(look.px(460), screen.x), 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(20), look.px(16)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, look.px(12));
+    const bool visible = ImGui::BeginPopupModal(kId, nullptr,
+                                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PopStyleVar(2);
+    std::optional<std::size_t> chosen;
+    if (visible) {
+        ImGui::PushFont(look.fonts.strong);
+        ImGui::TextUnformatted(title_.c_str());
+        ImGui::PopFont();
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextUnformatted(text_.c_str());
+        ImGui::PopTextWrapPos();
+        ImGui::Dummy({0, look.px(4)});
+        chosen = buttons(look);
+        if (chosen) ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+    } else {
+        chosen = choices_.size() - 1;  // Escape closes modals that have the keyboard
+    }
+    if (!chosen && ImGui::IsKeyPressed(ImGuiKey_Escape, false)) chosen = choices_.size() - 1;
+    if (!chosen) return;
+    requests.reply = Reply{*asked_, *chosen};
+    asked_.reset();
+}
+
+}  // namespace normalscope
