@@ -231,10 +231,9 @@ private:
                 const bool bracket = g_[base].op == Op::Sum && !root;
                 if (digits)
                     between = Kind::Times;
-                else if (last != Kind::Number && !bracket && !(last == Kind::Name && letters_first(base, root)))
-                    between = Kind::Space;
-                else if (bracket && letters.size() > 1 && letters.find_first_not_of(kVariableNames) != letters.npos)
-                    between = Kind::Space;  // ab(x + 1) would be a function
+                else if (bracket ? letters.size() > 1 && letters.find_first_not_of(kVariableNames) != letters.npos
+                                 : last != Kind::Number && !(last == Kind::Name && letters_first(base, root)))
+                    between = Kind::Space;  // before a bracket: ab(x + 1) would be a function
             }
             if (between) out.insert(out.begin() + static_cast<std::ptrdiff_t>(begin), Item{Piece{*between}});
             last = name ? Kind::Name : Kind::Close;

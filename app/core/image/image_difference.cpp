@@ -105,7 +105,7 @@ ImageDifference image_difference(const Image& actual, const Image& expected, con
 
 bool too_large_to_show(glm::ivec2 actual_size, glm::ivec2 expected_size) {
     const glm::ivec2 size = glm::max(actual_size, expected_size);
-    return (3 * std::int64_t{size.x} + 2 * kGapWidth) * size.y > kMostPixels;
+    return (3 * std::int64_t{size.x} + 2 * std::int64_t{kGapWidth}) * size.y > kMostPixels;
 }
 
 Image difference_picture(const Image& actual, const Image& expected, const Tolerance& tolerance) {

@@ -200,6 +200,25 @@ void normalise(std::vector<glm::dvec3>& normals) {
     }
 }
 
+// Those of the file as far as it has them, and whether it is closed.
+void set_normals(Mesh& mesh, const CornerKinds& kinds, const std::string& short_name, std::string_view lacking) {
+    Beside<bool> closed = beside([&mesh] { return is_closed(mesh); });
+    mesh.normal_source = kinds.any_normal ? NormalSource::File : NormalSource::Computed;
+    normalise(mesh.normals);
+    const auto missing = kinds.any_normal ? static_cast<std::size_t>(std::ranges::count(mesh.normals, glm::dvec3(0.0)))
+                                          : mesh.positions.size();
+    if (missing > 0) {
+        const std::string what =
+            kinds.any_normal ? " lacks " + counted(missing, "usable normal") : " has no " + std::string(lacking);
+        mesh.notes.push_back(short_name + what + ": computed, area-weighted");
+        mesh.closed = closed.get();  // it reads what changes now
+        if (complete_normals(mesh))
+            mesh.notes.back() +=
+                ", sharp where faces meet at more than " + std::to_string(std::lround(kCreaseDegrees)) + "°";
+    }
+    if (closed) mesh.closed = closed.get();
+}
+
 }  // namespace
 
 Mesh mesh_of(Polygons polygons, const std::string& file) {
@@ -229,40 +248,26 @@ Mesh mesh_of(Polygons polygons, const std::string& file) {
             }
         }
     } catch (const InputError& e) {
-        throw InputError(file + ": " + e.what());
+        throw InputError(file, e.what());
     }
     if (mesh.triangles.empty())
-        throw InputError(file + ": has no faces" + (mesh.positions.empty() ? "" : ", only points or lines") +
-                         "; export it as a surface");
+        throw InputError(file, std::string("has no faces") + (mesh.positions.empty() ? "" : ", only points or lines") +
+                                   "; export it as a surface");
 
     // The size that decides what is flat must not depend on the file's unit.
     drop_unused_vertices(mesh);
     fit_to_unit_sphere(mesh);
     const std::size_t dropped = drop_flat_triangles(mesh);
     if (mesh.triangles.empty())
-        throw InputError(file + ": all of its faces (" + std::to_string(dropped) +
-                         ") have no area; repair or export the mesh anew");
+        throw InputError(
+            file, "all of its faces (" + std::to_string(dropped) + ") have no area; repair or export the mesh anew");
     if (dropped > 0) {
         drop_unused_vertices(mesh);
         fit_to_unit_sphere(mesh);
     }
     flat += dropped;
 
-    Beside<bool> closed = beside([&mesh] { return is_closed(mesh); });
-    mesh.normal_source = kinds.any_normal ? NormalSource::File : NormalSource::Computed;
-    normalise(mesh.normals);
-    const auto missing = kinds.any_normal ? static_cast<std::size_t>(std::ranges::count(mesh.normals, glm::dvec3(0.0)))
-                                          : mesh.positions.size();
-    if (missing > 0) {
-        const std::string what = kinds.any_normal ? " lacks " + counted(missing, "usable normal")
-                                                  : " has no " + std::string(polygons.lacking);
-        mesh.notes.push_back(short_name + what + ": computed, area-weighted");
-        mesh.closed = closed.get();  // it reads what changes now
-        if (complete_normals(mesh))
-            mesh.notes.back() +=
-                ", sharp where faces meet at more than " + std::to_string(std::lround(kCreaseDegrees)) + "°";
-    }
-    if (closed) mesh.closed = closed.get();
+    set_normals(mesh, kinds, short_name, polygons.lacking);
     if (flat > 0) mesh.notes.push_back(short_name + ": " + counted(flat, "face") + " without area left out");
     if (!polygons.note.empty()) mesh.notes.push_back(short_name + ": " + polygons.note);
     return mesh;

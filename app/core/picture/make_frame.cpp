@@ -206,9 +206,9 @@ void add_legend(Frame& frame, const Scene& scene, const WorldFromObject& m) {
         if (kind != ArrowKind::Object) {
             const Rule rule = kRules[static_cast<std::size_t>(kind) - 1];
             const MistakeText mistake = normalscope::text(scene.mistake);
-            const std::array<std::string_view, 3> titles{mistake.title, "inverse transpose", "cofactor"};
-            text = std::string(titles[static_cast<std::size_t>(rule)]) + "  " +
-                   std::string(rule == Rule::Naive ? mistake.formula : formula(rule));
+            const ByRule<std::string_view> titles{mistake.title, "inverse transpose", "cofactor"};
+            text =
+                std::string(titles[rule]) + "  " + std::string(rule == Rule::Naive ? mistake.formula : formula(rule));
             if (!matrices.by(rule))
                 text += "  does not exist";
             else if (rule == Rule::Cofactor && matrices.rank < 2)
@@ -221,6 +221,18 @@ void add_legend(Frame& frame, const Scene& scene, const WorldFromObject& m) {
     if (!m.affine() && frame.probe && frame.probe->truth && scene.show.probe)
         frame.legend.push_back(
             {ArrowKind::InverseTranspose, "the normal, by (M⁻¹)ᵀ (n, −n·p)", theme_colors(scene.theme).text});
+}
+
+// What gives the normals of this half.
+void add_title(Pane& pane, const Scene& scene) {
+    const MistakeText mistake = normalscope::text(scene.mistake);
+    const bool other = scene.mistake != Mistake::Naive;
+    const ByRule<std::string_view> titles{other ? mistake.title : "Naive", "Inverse transpose", "Cofactor"};
+    pane.labels.push_back({Label::Role::Title,
+                           glm::vec2(pane.rect.origin) + glm::vec2(0.5f * static_cast<float>(pane.rect.size.x), 0.0f),
+                           std::string(titles[pane.rule]) + "   " +
+                               std::string(pane.rule == Rule::Naive ? mistake.formula : formula(pane.rule)),
+                           rule_color(pane.rule)});
 }
 
 }  // namespace
@@ -279,18 +291,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         if (options.handles) add_knobs(pane, scene, m, options);
         if (frame.ray) add_ray_marks(pane, scene, *frame.ray, m, ghost, options);
         if (scene.show.stretch_axes) add_decomposition_marks(pane, scene, frame.surface->mesh, m, options);
-        if (scene.view == ViewMode::Split) {
-            const MistakeText mistake = normalscope::text(scene.mistake);
-            const bool other = scene.mistake != Mistake::Naive;
-            const std::array<std::string_view, 3> titles{other ? mistake.title : "Naive", "Inverse transpose",
-                                                         "Cofactor"};
-            pane.labels.push_back(
-                {Label::Role::Title,
-                 glm::vec2(pane.rect.origin) + glm::vec2(0.5f * static_cast<float>(pane.rect.size.x), 0.0f),
-                 std::string(titles[static_cast<std::size_t>(pane.rule)]) + "   " +
-                     std::string(pane.rule == Rule::Naive ? mistake.formula : formula(pane.rule)),
-                 rule_color(pane.rule)});
-        }
+        if (scene.view == ViewMode::Split) add_title(pane, scene);
     }
     if (scene.show.legend) add_legend(frame, scene, m);
     return frame;
