@@ -30,7 +30,7 @@ bool is_more_than_a_scene(const std::string& file) {
 }
 
 Opened open_file(const std::string& file, const Scene& scene) {
-    Opened opened{file, scene, std::make_unique<SurfaceCache>(), nullptr, std::nullopt, std::nullopt};
+    Opened opened{.file = file, .scene = scene};
     const Contents contents = open_name(file);
     if (const auto* exercises = std::get_if<ExercisesName>(&contents)) {
         // Another set each time, of which people can tell each other the number.

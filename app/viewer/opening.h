@@ -15,10 +15,10 @@ namespace normalscope {
 struct Opened {
     std::string file;
     Scene scene;
-    std::unique_ptr<SurfaceCache> surfaces;  ///< holds the scene's surface
-    std::shared_ptr<const Lesson> lesson;    ///< instead of a scene
-    std::optional<std::size_t> step;         ///< of the lesson, if one was asked for
-    std::optional<std::uint64_t> exercises;  ///< instead of a scene: their seed
+    std::unique_ptr<SurfaceCache> surfaces = std::make_unique<SurfaceCache>();  ///< holds the scene's surface
+    std::shared_ptr<const Lesson> lesson{};                                     ///< instead of a scene
+    std::optional<std::size_t> step{};                                          ///< of the lesson, if one was asked for
+    std::optional<std::uint64_t> exercises{};                                   ///< instead of a scene: their seed
 };
 
 /// A lesson, a step of one, or exercises. Throws InputError.

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstring>
 #include <limits>
 #include <span>
 #include <utility>
@@ -130,9 +129,9 @@ private:
         cut_short_ = rest_.size() < sizeof(T);
         if (cut_short_) return false;
         std::array<char, sizeof(T)> bytes;
-        std::memcpy(bytes.data(), rest_.data(), sizeof(T));
+        std::copy_n(rest_.begin(), sizeof(T), bytes.begin());
         if (turned_) std::ranges::reverse(bytes);
-        to = static_cast<To>(std::bit_cast<T>(bytes));
+        to = static_cast<To>(+std::bit_cast<T>(bytes));  // +: a char, too, is a number
         rest_.remove_prefix(sizeof(T));
         return true;
     }

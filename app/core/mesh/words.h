@@ -64,7 +64,9 @@ public:
             comment = comment || *at_ == '#';
             at_ += comment ? 1 : std::max<std::ptrdiff_t>(continuation(), 1);
         }
-        if (at_ < end_ && *at_++ == '\r' && at_ < end_ && *at_ == '\n') ++at_;
+        if (at_ == end_) return;
+        const bool two = *at_ == '\r' && at_ + 1 < end_ && at_[1] == '\n';
+        at_ += two ? 2 : 1;
     }
     /// The line's next word, empty where there is none.
     std::string_view next() {
