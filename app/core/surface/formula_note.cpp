@@ -36,8 +36,9 @@ std::optional<glm::dvec3> met_by_rays(const ImplicitSurface& surface) {
             glm::dvec3 from(0.0), along(0.0);
             from[axis] = -2.0 * bound;
             along[axis] = 1.0;
-            from[(axis + 1) % 3] = bound * (2.0 * (i % kTrialRays + 0.5) / kTrialRays - 1.0);
-            from[(axis + 2) % 3] = bound * (2.0 * (i / kTrialRays + 0.5) / kTrialRays - 1.0);
+            const int row = i / kTrialRays, column = i % kTrialRays;
+            from[(axis + 1) % 3] = bound * (2.0 * (column + 0.5) / kTrialRays - 1.0);
+            from[(axis + 2) % 3] = bound * (2.0 * (row + 0.5) / kTrialRays - 1.0);
             if (const auto t = surface.first_hit({{from}, {along}}, &effort)) return from + *t * along;
         }
     return std::nullopt;
@@ -165,8 +166,7 @@ FormulaNote note_on(const ImplicitSurface& surface, const Mesh& mesh) {
     if (surface.zero_everywhere()) return {"f is 0 everywhere: all of space, and no surface. Nothing is drawn.", false};
     if (!mesh.triangles.empty()) return on_mesh(surface, mesh);
     const std::string within = surface.source().clip == Clip::Ball ? "the ball" : "the cube";
-    const FormulaNote none{"No zero of f was found within " + within + ", so nothing is drawn. Try a larger bound.",
-                           false};
+    FormulaNote none{"No zero of f was found within " + within + ", so nothing is drawn. Try a larger bound.", false};
     if (const auto& p = surface.zero_throughout())
         return {"f is 0 throughout a part of " + within + ", as around " + point_text(*p, surface.source().bound) +
                     ", and changes its sign nowhere: a solid, and no surface. Nothing is drawn.",
