@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/lessons/open.h"
 #include "core/mesh/mesh_file.h"
+#include "ui/kit/dialog.h"
 #include "ui/kit/widgets.h"
 
 #include <misc/cpp/imgui_stdlib.h>
@@ -257,15 +258,7 @@ void FileDialog::draw(const Look& look, ExtraLetters& letters, Requests& request
         for (const FolderEntry& entry : folder_.entries) letters.want(entry.name, look.fonts.body);
     letters.want(name_, look.fonts.body);
 
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({std::min(look.px(620), screen.x), 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(20), look.px(16)));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, look.px(12));
-    const bool visible = ImGui::BeginPopupModal(kId, nullptr,
-                                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-    ImGui::PopStyleVar(2);
+    const bool visible = begin_dialog(look, kId, 620);
     if (!visible) {
         open_ = false;  // Escape closes modals that have the keyboard
         return;

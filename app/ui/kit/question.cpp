@@ -1,5 +1,6 @@
 #include "ui/kit/question.h"
 
+#include "ui/kit/dialog.h"
 #include "ui/kit/widgets.h"
 
 #include <algorithm>
@@ -48,15 +49,7 @@ std::optional<std::size_t> QuestionBox::buttons(const Look& look) const {
 void QuestionBox::draw(const Look& look, Requests& requests) {
     if (!asked_) return;
     if (std::exchange(appearing_, false)) ImGui::OpenPopup(kId);
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSize({std::min(look.px(460), screen.x), 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(20), look.px(16)));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, look.px(12));
-    const bool visible = ImGui::BeginPopupModal(kId, nullptr,
-                                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-    ImGui::PopStyleVar(2);
+    const bool visible = begin_dialog(look, kId, 460);
     std::optional<std::size_t> chosen;
     if (visible) {
         ImGui::PushFont(look.fonts.strong);
