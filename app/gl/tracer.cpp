@@ -1,6 +1,6 @@
 #include "gl/tracer.h"
 
-#include "core/formula/ray_samples.h"
+#include "core/program/ray_samples.h"
 
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>

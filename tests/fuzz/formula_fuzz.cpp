@@ -3,15 +3,15 @@
 //         tests/fuzz/formula_fuzz.cpp app/core/formula/*.cpp -o formula_fuzz && ./formula_fuzz -max_len=200
 // Without, it is a program that makes its inputs itself: formula_fuzz [SECONDS [SEED]]. Either aborts at a mistake.
 
-#include "core/formula/compile.h"
-#include "core/formula/evaluate.h"
 #include "core/formula/formula.h"
-#include "core/formula/glsl.h"
 #include "core/formula/parse.h"
-#include "core/formula/polynomial.h"
 #include "core/formula/print.h"
-#include "core/formula/roots.h"
 #include "core/formula/syntax_error.h"
+#include "core/program/compile.h"
+#include "core/program/evaluate.h"
+#include "core/program/glsl.h"
+#include "core/program/polynomial.h"
+#include "core/program/roots.h"
 
 #include <glm/common.hpp>
 

@@ -1,13 +1,13 @@
 // f and ∇f as the graphics processor computes them, against the processor's doubles, at thousands of points.
 
-#include "core/formula/compile.h"
+#include "core/program/compile.h"
 #include "support.h"
 
 #include "random_formula.h"
 
-#include "core/formula/evaluate.h"
 #include "core/formula/formula.h"
-#include "core/formula/glsl.h"
+#include "core/program/evaluate.h"
+#include "core/program/glsl.h"
 #include "core/surface/implicit_surface.h"
 #include "gl/objects.h"
 #include "gl/vertex_data.h"

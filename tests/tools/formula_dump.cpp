@@ -1,14 +1,14 @@
 // formula_dump COUNT SEED: random formulas with their derivatives and values as JSON, for a test that asks a computer
 // algebra system for the same.
 
-#include "core/formula/compile.h"
 #include "core/formula/syntax_error.h"
+#include "core/program/compile.h"
 #include "random_formula.h"
 
-#include "core/formula/evaluate.h"
 #include "core/formula/formula.h"
 #include "core/formula/parse.h"
 #include "core/formula/print.h"
+#include "core/program/evaluate.h"
 
 #include <nlohmann/json.hpp>
 

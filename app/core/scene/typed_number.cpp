@@ -1,10 +1,10 @@
 #include "core/scene/typed_number.h"
 
 #include "core/base/decimal.h"
-#include "core/formula/compile.h"
-#include "core/formula/evaluate.h"
 #include "core/formula/parse.h"
-#include "core/formula/program.h"
+#include "core/program/compile.h"
+#include "core/program/evaluate.h"
+#include "core/program/program.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "core/surface/formula_note.h"
 
 #include "core/base/decimal.h"
-#include "core/formula/zero_crossing.h"
+#include "core/program/zero_crossing.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,9 +1,9 @@
 #include "core/surface/implicit_surface.h"
 
 #include "core/base/error.h"
-#include "core/formula/compile.h"
-#include "core/formula/single.h"
-#include "core/formula/zero_crossing.h"
+#include "core/program/compile.h"
+#include "core/program/single.h"
+#include "core/program/zero_crossing.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "core/formula/evaluate.h"
 #include "core/formula/formula.h"
-#include "core/formula/glsl.h"
-#include "core/formula/roots.h"
 #include "core/math/camera.h"
 #include "core/mesh/mesh.h"
+#include "core/program/evaluate.h"
+#include "core/program/glsl.h"
+#include "core/program/roots.h"
 #include "core/scene/scene.h"
 
 #include <array>

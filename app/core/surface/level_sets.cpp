@@ -1,6 +1,6 @@
 #include "core/surface/level_sets.h"
 
-#include "core/formula/zero_crossing.h"
+#include "core/program/zero_crossing.h"
 
 #include <glm/geometric.hpp>
 

@@ -1,8 +1,8 @@
 // Surface nets (Gibson, "Constrained elastic surface nets", 1998): a vertex in each cell of a grid whose corners differ in
 // sign, a quad across each edge whose ends do. Every vertex then goes down the gradient onto the surface itself.
 
-#include "core/formula/zero_crossing.h"
 #include "core/mesh/closed_mesh.h"
+#include "core/program/zero_crossing.h"
 #include "core/surface/box_cut.h"
 #include "core/surface/implicit_surface.h"
 #include "core/surface/ray_mesh.h"

@@ -1,6 +1,6 @@
 #include "core/surface/surface_probe.h"
 
-#include "core/formula/zero_crossing.h"
+#include "core/program/zero_crossing.h"
 #include "core/surface/singular_point.h"
 
 #include <glm/common.hpp>

@@ -1,6 +1,6 @@
-#include "core/formula/zero_crossing.h"
+#include "core/program/zero_crossing.h"
 
-#include "core/formula/evaluate.h"
+#include "core/program/evaluate.h"
 
 #include <glm/common.hpp>
 

@@ -1,15 +1,15 @@
 // Formulas made at random, from fixed seeds: what each part of the engine says of them must agree with the others.
 
-#include "core/formula/compile.h"
 #include "core/formula/syntax_error.h"
+#include "core/program/compile.h"
 #include "random_formula.h"
 
-#include "core/formula/evaluate.h"
 #include "core/formula/formula.h"
 #include "core/formula/parse.h"
-#include "core/formula/polynomial.h"
 #include "core/formula/print.h"
-#include "core/formula/roots.h"
+#include "core/program/evaluate.h"
+#include "core/program/polynomial.h"
+#include "core/program/roots.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/formula/interval.h"
+#include "core/program/interval.h"
 
 #include <numbers>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/formula/program.h"
+#include "core/program/program.h"
 
 #include <glm/vec3.hpp>
 

@@ -1,4 +1,4 @@
-#include "core/formula/ray_samples.h"
+#include "core/program/ray_samples.h"
 
 #include "core/base/decimal.h"
 

@@ -1,6 +1,6 @@
-#include "core/formula/single.h"
+#include "core/program/single.h"
 
-#include "core/formula/steps.h"
+#include "core/program/steps.h"
 
 #include <array>
 #include <limits>

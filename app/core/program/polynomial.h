@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/formula/graph.h"
-#include "core/formula/program.h"
+#include "core/program/program.h"
 
 #include <glm/vec3.hpp>
 

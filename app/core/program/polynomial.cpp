@@ -1,4 +1,4 @@
-#include "core/formula/polynomial.h"
+#include "core/program/polynomial.h"
 
 #include <algorithm>
 #include <cmath>

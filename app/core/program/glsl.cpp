@@ -1,4 +1,4 @@
-#include "core/formula/glsl.h"
+#include "core/program/glsl.h"
 
 #include "core/formula/formula.h"
 

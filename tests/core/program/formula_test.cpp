@@ -1,10 +1,10 @@
 #include "core/formula/formula.h"
-#include "core/formula/compile.h"
-#include "core/formula/evaluate.h"
-#include "core/formula/glsl.h"
 #include "core/formula/parse.h"
-#include "core/formula/polynomial.h"
 #include "core/formula/print.h"
+#include "core/program/compile.h"
+#include "core/program/evaluate.h"
+#include "core/program/glsl.h"
+#include "core/program/polynomial.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "core/formula/compile.h"
+#include "core/program/compile.h"
 
-#include "core/formula/steps.h"
+#include "core/program/steps.h"
 
 #include <algorithm>
 #include <numbers>

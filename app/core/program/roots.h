@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/formula/evaluate.h"
-#include "core/formula/polynomial.h"
+#include "core/program/evaluate.h"
+#include "core/program/polynomial.h"
 
 #include <cstdint>
 #include <optional>

@@ -1,6 +1,6 @@
-#include "core/formula/evaluate.h"
+#include "core/program/evaluate.h"
 
-#include "core/formula/steps.h"
+#include "core/program/steps.h"
 
 namespace normalscope::formulas {
 

@@ -3,8 +3,8 @@
 // What each step of a program computes, and its derivatives: written once for doubles, for many doubles side by side
 // and for intervals.
 
-#include "core/formula/interval.h"
-#include "core/formula/program.h"
+#include "core/program/interval.h"
+#include "core/program/program.h"
 
 #include <cmath>
 #include <span>

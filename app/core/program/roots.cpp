@@ -1,4 +1,4 @@
-#include "core/formula/roots.h"
+#include "core/program/roots.h"
 
 #include <algorithm>
 #include <cmath>

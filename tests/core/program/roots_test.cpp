@@ -1,6 +1,6 @@
-#include "core/formula/roots.h"
-#include "core/formula/compile.h"
+#include "core/program/roots.h"
 #include "core/formula/parse.h"
+#include "core/program/compile.h"
 
 #include <gtest/gtest.h>
 

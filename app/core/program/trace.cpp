@@ -1,6 +1,6 @@
-#include "core/formula/roots.h"
-#include "core/formula/steps.h"
-#include "core/formula/zero_crossing.h"
+#include "core/program/roots.h"
+#include "core/program/steps.h"
+#include "core/program/zero_crossing.h"
 
 #include <glm/geometric.hpp>
 

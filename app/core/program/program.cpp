@@ -1,4 +1,4 @@
-#include "core/formula/program.h"
+#include "core/program/program.h"
 
 #include <algorithm>
 

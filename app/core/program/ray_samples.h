@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/formula/glsl.h"
+#include "core/program/glsl.h"
 
 #include <string>
 #include <vector>
