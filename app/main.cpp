@@ -1,9 +1,9 @@
 #include "cli/options.h"
 #include "commands/commands.h"
-#include "commands/scene_arguments.h"
 #include "core/base/error.h"
 #include "core/base/utf8.h"
-#include "core/lessons/exercise.h"
+#include "core/lessons/open.h"
+#include "core/scene/setting.h"
 #include "desktop/desktop.h"
 
 #include <cstdio>
@@ -16,11 +16,11 @@ namespace normalscope {
 namespace {
 
 int run(const ViewCommand& command) {
-    std::string file = command.file.value_or("");
-    const bool nothing = file.empty() || exercises_name(file);  // exercises are left for the scene before them
-    Scene scene = subject_of(nothing ? std::string(kDefaultScene) : file, command.settings).scene;
-    if (file == "-") file.clear();  // standard input gives what it holds once
-    run_viewer(std::move(scene), file);
+    Opened first{.file = "", .scene = load_scene(std::string(kDefaultScene))};
+    if (command.file) first = read_file(*command.file, first.scene);
+    for (const std::string& setting : command.settings) first.scene = with_setting(first.scene, setting);
+    prepare(first);
+    run_viewer(std::move(first));
     return 0;
 }
 

@@ -25,7 +25,7 @@ constexpr int kSamples = 4;
 /// The viewer in a window of GLFW's, drawn by GL.
 class Desktop final : public Host {
 public:
-    Desktop(Scene scene, const std::string& file) : viewer_(*this, std::move(scene), file, remembered()) {
+    explicit Desktop(Opened first) : viewer_(*this, std::move(first), remembered()) {
         window_.choose_monitor(settings_.monitor);
         connect();
     }
@@ -173,6 +173,6 @@ void Desktop::connect() {
 
 }  // namespace
 
-void run_viewer(Scene scene, const std::string& file) { Desktop(std::move(scene), file).run(); }
+void run_viewer(Opened first) { Desktop(std::move(first)).run(); }
 
 }  // namespace normalscope

@@ -1,13 +1,11 @@
 #pragma once
 
-#include "core/scene/scene.h"
-
-#include <string>
+#include "viewer/opening.h"
 
 namespace normalscope {
 
-/// Opens the window on a scene and returns when it is closed. `file` is what the scene was read from, or empty.
-/// Throws ContextError where there is no display.
-void run_viewer(Scene scene, const std::string& file);
+/// Opens the window on what was opened and prepared, and returns when it is closed. Throws ContextError where there is no
+/// display.
+void run_viewer(Opened first);
 
 }  // namespace normalscope

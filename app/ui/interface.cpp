@@ -226,7 +226,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     s.lecture.draw(s.look, scene, {static_cast<float>(frame.rect.origin.x), strip_top},
                    {static_cast<float>(frame.rect.size.x), ImGui::GetIO().DisplaySize.y - strip_top});
     if (const auto lesson = s.lecture.wanted_lesson()) requests.open = lesson;
-    s.dialog.set_scene_file(status.file);
+    s.dialog.set_scene_file(status.has_file ? status.file : "");
     if (s.shows_panel(static_cast<int>(ImGui::GetIO().DisplaySize.x)))
         draw_panel(scene, s.panel,
                    {.look = s.look,

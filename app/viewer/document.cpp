@@ -1,10 +1,16 @@
 #include "viewer/document.h"
 
-#include "ui/kit/file_dialog.h"
+#include <filesystem>
 
 namespace normalscope {
 
 namespace {
+
+// Meshes have files, too, and what is built in has none.
+bool is_scene_file(const std::filesystem::path& file) {
+    std::error_code error;
+    return file.extension() == ".json" && std::filesystem::is_regular_file(file, error);
+}
 
 std::shared_ptr<Origin> origin_of(const Scene& scene, const std::string& file) {
     return std::make_shared<Origin>(Origin{file, is_scene_file(file), scene});
@@ -25,6 +31,10 @@ bool Document::unsaved() const {
 void Document::open(Scene opened, const std::string& file) {
     scene = std::move(opened);
     origin_ = origin_of(scene, file);
+}
+
+void Document::open_lesson(const std::string& name) {
+    origin_ = std::make_shared<Origin>(Origin{.file = name, .saved = scene});
 }
 
 void Document::recover(Scene unsaved) {

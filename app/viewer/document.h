@@ -30,6 +30,8 @@ public:
 
     /// Another scene, which is as it is in its file.
     void open(Scene opened, const std::string& file);
+    /// The scene comes from a lesson from now on: saving it to the lesson's file would lose the steps.
+    void open_lesson(const std::string& name);
     /// Work of an earlier session, which no file holds.
     void recover(Scene unsaved);
     /// The same scene is called that from now on.

@@ -119,7 +119,7 @@ void Viewer::take(Opened opened) {
         lecture().start_exercises(*opened.exercises, document_.scene);
     } else if (opened.lesson) {
         surfaces_ = std::move(opened.surfaces);
-        document_.open(document_.scene, opened.lesson->name);
+        document_.open_lesson(opened.lesson->name);
         gui_.interface.open_lesson(std::move(opened.lesson), document_.scene, opened.step);
     } else {
         lecture().exercises.stop();
@@ -127,7 +127,7 @@ void Viewer::take(Opened opened) {
         const Scene saved = document_.origin()->saved;
         opened.scene.theme = document_.scene.theme;  // the room's light does not change with the scene
         surfaces_ = std::move(opened.surfaces);
-        document_.open(std::move(opened.scene), is_link(opened.file) ? "" : opened.file);
+        document_.open(std::move(opened.scene), opened.file);
         if (goes_on) document_.origin()->saved = saved;
     }
 }

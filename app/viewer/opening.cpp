@@ -1,5 +1,6 @@
 #include "viewer/opening.h"
 
+#include "core/lessons/link.h"
 #include "core/lessons/open.h"
 #include "core/mesh/mesh_file.h"
 
@@ -11,8 +12,8 @@ namespace normalscope {
 
 namespace {
 
-// The steps' surfaces are made when they are reached, which must not fail in the middle of a lecture. Shapes and formulas
-// have been checked as they were read; of a mesh file only its reader knows.
+// The steps' surfaces are made when they are reached. Shapes and formulas have been checked as they were read; of a mesh file
+// only its reader knows.
 void read_meshes(const Lesson& lesson, const Scene& read) {
     std::set<std::string> files;
     if (const auto* surface = std::get_if<MeshSurface>(&read.surface)) files.insert(surface->mesh);
@@ -24,13 +25,8 @@ void read_meshes(const Lesson& lesson, const Scene& read) {
 
 }  // namespace
 
-bool is_more_than_a_scene(const std::string& file) {
-    const Contents contents = open_name(file);
-    return std::holds_alternative<OpenedLesson>(contents) || std::holds_alternative<ExercisesName>(contents);
-}
-
-Opened open_file(const std::string& file, const Scene& scene) {
-    Opened opened{.file = file, .scene = scene};
+Opened read_file(const std::string& file, const Scene& scene) {
+    Opened opened{.file = is_link(file) || file == "-" ? "" : file, .scene = scene};
     const Contents contents = open_name(file);
     if (const auto* exercises = std::get_if<ExercisesName>(&contents)) {
         // Another set each time, of which people can tell each other the number.
@@ -41,12 +37,21 @@ Opened open_file(const std::string& file, const Scene& scene) {
         opened.scene = with_mesh(scene, mesh->file);
     else
         opened.scene = first_scene(contents);
-    (void)opened.surfaces->get(opened.scene);
     if (const auto* lesson = std::get_if<OpenedLesson>(&contents)) {
-        read_meshes(*lesson->lesson, opened.scene);
         opened.lesson = lesson->lesson;
         opened.step = lesson->step;
     }
+    return opened;
+}
+
+void prepare(Opened& opened) {
+    (void)opened.surfaces->get(opened.scene);
+    if (opened.lesson) read_meshes(*opened.lesson, opened.scene);
+}
+
+Opened open_file(const std::string& file, const Scene& scene) {
+    Opened opened = read_file(file, scene);
+    prepare(opened);
     return opened;
 }
 

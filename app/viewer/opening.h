@@ -11,20 +11,22 @@
 
 namespace normalscope {
 
-/// A file, with all that takes time already done.
+/// What a file, or whatever else has a name, holds.
 struct Opened {
-    std::string file;
+    std::string file;  ///< or the name; empty for what has none: a link, standard input
     Scene scene;
-    std::unique_ptr<SurfaceCache> surfaces = std::make_unique<SurfaceCache>();  ///< holds the scene's surface
+    std::unique_ptr<SurfaceCache> surfaces = std::make_unique<SurfaceCache>();  ///< those that are made
     std::shared_ptr<const Lesson> lesson{};                                     ///< instead of a scene
     std::optional<std::size_t> step{};                                          ///< of the lesson, if one was asked for
     std::optional<std::uint64_t> exercises{};                                   ///< instead of a scene: their seed
 };
 
-/// A lesson, a step of one, or exercises. Throws InputError.
-bool is_more_than_a_scene(const std::string& file);
-
-/// A scene, a link, or a lesson; a mesh changes the surface of `scene` and no more. Throws InputError.
+/// Reads it: a scene, a link, a lesson or exercises; a mesh changes the surface of `scene` and no more. Throws InputError.
+Opened read_file(const std::string& file, const Scene& scene);
+/// Does what takes time: makes the scene's surface, and reads every mesh of a lesson, which must not fail in the middle of a
+/// lecture. Throws InputError.
+void prepare(Opened& opened);
+/// Both in one.
 Opened open_file(const std::string& file, const Scene& scene);
 
 }  // namespace normalscope

@@ -16,23 +16,22 @@ namespace {
 constexpr int kFramesAfterEvent = 3;
 constexpr double kLookForFile = 0.05;  // seconds, while one is being read
 
-bool has_more_than_a_scene(const std::string& file) { return !file.empty() && is_more_than_a_scene(file); }
+bool is_more_than_a_scene(const Opened& opened) { return opened.lesson || opened.exercises; }
 
 }  // namespace
 
-Viewer::Viewer(Host& host, Scene scene, const std::string& file, Remembered remembered)
+Viewer::Viewer(Host& host, Opened first, Remembered remembered)
     : host_(host),
       gui_(host),
       scale_(remembered.scale),
-      document_(std::move(scene), has_more_than_a_scene(file) ? "" : file),
+      document_(first.scene, is_more_than_a_scene(first) ? "" : first.file),
       frames_wanted_(kFramesAfterEvent),
       laid_out_at_(host.now()) {
     lecture().progress = std::move(remembered.lessons);
-    // The scene is there already; lessons and exercises are more than one.
-    if (has_more_than_a_scene(file)) {
-        open(file);
-        finish_opening();  // mostly done: then nothing else is seen first
-    }
+    if (is_more_than_a_scene(first))
+        take(std::move(first));
+    else
+        surfaces_ = std::move(first.surfaces);
     show_title();
     if (remembered.unsaved) offer(std::move(*remembered.unsaved));
 }
@@ -114,8 +113,9 @@ Requests Viewer::lay_out() {
     const bool was_exercising = exercising(), was_in_lesson = in_lesson();
     const std::optional<ErrorStatistics>& errors = errors_.get(document_.scene, frame_->surface);
     gui_.layout(shown_scene().theme, scale(), [&] {
-        requests = gui_.interface.draw(document_.scene, *frame_,
-                                       {document_.can_undo(), document_.can_redo(), errors, document_.file()});
+        requests = gui_.interface.draw(
+            document_.scene, *frame_,
+            {document_.can_undo(), document_.can_redo(), errors, document_.file(), document_.has_file()});
     });
     laid_out_at_ = host_.now();
     if (was_exercising && !exercising()) document_.set_origin(origin_before_exercises_);

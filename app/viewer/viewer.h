@@ -24,8 +24,8 @@ namespace normalscope {
 /// hosts it passes on what happens, and calls step() after that and whenever it is due. Pixels are the framebuffer's.
 class Viewer {
 public:
-    /// `file` is what the scene was read from, or empty. The host outlives this.
-    Viewer(Host& host, Scene scene, const std::string& file, Remembered remembered = {});
+    /// What is to be seen first is prepared. The host outlives this.
+    Viewer(Host& host, Opened first, Remembered remembered = {});
     Viewer(const Viewer&) = delete;
     Viewer& operator=(const Viewer&) = delete;
 

@@ -158,6 +158,15 @@ TEST_F(FilesTest, ThePictureAsVectors) {
     EXPECT_EQ(message(), "Saved " + path("p.svg"));
 }
 
+TEST_F(FilesTest, SavingInALessonLeavesItsFileAlone) {
+    const std::string lesson = R"({"lesson": "L", "steps": [{"caption": "a"}]})";
+    write("l.json", lesson);
+    start();
+    open(path("l.json"));
+    keys({ImGuiKey_C, kCtrl | ImGuiKey_S, ImGuiKey_Escape});
+    EXPECT_EQ(text("l.json"), lesson);
+}
+
 TEST_F(FilesTest, ALinkThroughTheClipboard) {
     start(light("shear"), "shear");
     const Scene first = scene();

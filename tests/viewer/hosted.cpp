@@ -55,7 +55,10 @@ Scene ViewerTest::light(const std::string& name) {
 
 void ViewerTest::start(Scene scene, const std::string& file, Remembered remembered) {
     viewer_.reset();  // there is just one Dear ImGui
-    viewer_.emplace(host_, std::move(scene), file, std::move(remembered));
+    Opened first;
+    if (!file.empty()) first = open_file(file, scene);
+    if (!first.lesson) first.scene = std::move(scene);  // as --set may have changed it
+    viewer_.emplace(host_, std::move(first), std::move(remembered));
     viewer_->step();
     settle();
 }

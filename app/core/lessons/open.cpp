@@ -150,14 +150,6 @@ Lesson load_lesson(const std::string& name) {
     return *opened->lesson;
 }
 
-bool is_lesson_file(const fs::path& file) {
-    try {
-        return ending_of(file) == ".json" && is_lesson(read_json(read_file(file, kLargestLesson)));
-    } catch (const InputError&) {
-        return false;
-    }
-}
-
 Scene with_mesh(Scene scene, const std::string& file) {
     scene.about.clear();
     scene.surface = MeshSurface{file};

@@ -39,8 +39,6 @@ Scene load_scene(const std::string& name);
 /// Where nothing but a lesson will do. Throws InputError.
 Lesson load_lesson(const std::string& name);
 
-/// Whether a file holds a lesson; false where it cannot be read.
-bool is_lesson_file(const std::filesystem::path& file);
 /// The scene with a mesh file as its surface and all else kept.
 Scene with_mesh(Scene scene, const std::string& file);
 

@@ -59,15 +59,6 @@ std::string filter(For purpose) {
 
 }  // namespace
 
-bool is_scene_file(const fs::path& file) {
-    std::error_code error;
-    try {
-        return file.extension() == ".json" && fs::is_regular_file(file, error) && !is_lesson_file(file);
-    } catch (const InputError&) {
-        return false;
-    }
-}
-
 void FileDialog::open(For purpose) {
     if (purpose != purpose_ || name_.empty()) name_ = about(purpose).name;
     purpose_ = purpose;
@@ -76,7 +67,7 @@ void FileDialog::open(For purpose) {
     to_overwrite_.clear();
     std::error_code error;
     enter(folder_.path.empty() ? fs::current_path(error) : folder_.path);
-    if (purpose == For::SaveScene && is_scene_file(scene_file_))
+    if (purpose == For::SaveScene && !scene_file_.empty())
         name_ = shown(fs::proximate(scene_file_, folder_.path, error));
 }
 

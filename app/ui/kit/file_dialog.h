@@ -9,9 +9,6 @@
 
 namespace normalscope {
 
-/// A scene's file. Not a lesson's: saving a scene to it would lose its steps.
-bool is_scene_file(const std::filesystem::path& file);
-
 /// A dialog for one file at a time, in the window itself: it looks the same everywhere, and needs no toolkit.
 class FileDialog {
 public:
@@ -19,7 +16,7 @@ public:
 
     /// Shows it from the next frame on. What was typed is kept from the last time, and so is the folder.
     void open(For purpose);
-    /// The open scene's file, or a name: where it is a scene's file, it is what saving the scene proposes.
+    /// The open scene's file, which saving the scene proposes; empty where it has none.
     void set_scene_file(const std::string& file) { scene_file_ = file; }
     bool is_open() const { return open_; }
 

@@ -37,7 +37,8 @@ struct Requests {
 struct Status {
     bool can_undo = false, can_redo = false;
     std::optional<ErrorStatistics> errors;
-    std::string file;  ///< the open scene's file or name; empty if none
+    std::string file;       ///< the open scene's file or name; empty if none
+    bool has_file = false;  ///< which is the user's, and can be saved to
 };
 
 }  // namespace normalscope
