@@ -85,7 +85,7 @@ public:
     void toggle_full_screen() override { window_.toggle_full_screen(); }
     void to_next_monitor() override { window_.to_next_monitor(); }
     void close() override { glfwSetWindowShouldClose(window_.handle(), GLFW_TRUE); }
-    void keep(const std::string& scene) override { recovery_.keep(scene); }
+    void keep(const std::string& unsaved) override { recovery_.keep(unsaved); }
 
 private:
     void connect();
@@ -108,7 +108,7 @@ private:
         rough_target_.reset();
     }
 
-    Remembered remembered() const {
+    Remembered remembered() {
         Remembered remembered = settings_.remembered;
         remembered.unsaved = recovery_.left_behind();
         return remembered;

@@ -2,14 +2,16 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/scene/scene_json.h"
 
 #include <signal.h>  // kill
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
+#include <iterator>
 #include <system_error>
+#include <utility>
 
 namespace normalscope {
 
@@ -32,40 +34,50 @@ std::optional<pid_t> owner(const fs::path& file) {
 
 bool runs(pid_t process) { return ::kill(process, 0) == 0 || errno == EPERM; }
 
+// When it was written; long ago where nobody knows.
+fs::file_time_type age(const fs::path& file) {
+    std::error_code error;
+    return fs::last_write_time(file, error);
+}
+
 }  // namespace
 
-Recovery::Recovery(std::optional<fs::path> folder) : folder_(std::move(folder)) {}
+Recovery::Recovery(std::optional<fs::path> folder) : folder_(std::move(folder)) {
+    if (folder_) own_ = *folder_ / (std::string(kName) + std::to_string(::getpid()) + std::string(kEnding));
+}
 
-std::optional<Scene> Recovery::left_behind() const {
-    std::optional<Scene> found;
+std::vector<UnsavedWork> Recovery::left_behind() {
+    std::vector<UnsavedWork> found;
     std::error_code error;
     if (!folder_) return found;
     for (const fs::directory_entry& entry : fs::directory_iterator(*folder_, error)) {
         const auto process = owner(entry.path());
-        if (!process || runs(*process)) continue;
-        try {
-            if (!found) found = parse_scene(read_file(entry.path(), kMostBytes), entry.path().string());
+        // In a container each process may have the number of the one before.
+        if (process && (entry.path() == own_ || !runs(*process))) found_.push_back(entry.path());
+    }
+    std::ranges::sort(found_, {}, age);
+    for (const fs::path& file : found_) try {
+            std::ranges::move(parse_unsaved(read_file(file, kMostBytes), file.string()), std::back_inserter(found));
         } catch (const Error&) {  // a damaged one is of no use to anyone
         }
-        fs::remove(entry.path(), error);
-    }
     return found;
 }
 
-void Recovery::keep(const std::string& scene) const {
+void Recovery::keep(const std::string& unsaved) {
     if (!folder_) return;
-    const fs::path file = *folder_ / (std::string(kName) + std::to_string(::getpid()) + std::string(kEnding));
     std::error_code error;
-    if (scene.empty()) {
-        fs::remove(file, error);
-        return;
+    if (unsaved.empty()) {
+        fs::remove(*own_, error);
+    } else {
+        fs::create_directories(*folder_, error);
+        try {
+            write_file(*own_, unsaved);
+        } catch (const Error&) {
+            return;
+        }
     }
-    fs::create_directories(*folder_, error);
-    try {
-        write_file(file, scene);
-    } catch (const Error&) {
-        return;
-    }
+    for (const fs::path& file : std::exchange(found_, {}))
+        if (file != own_) fs::remove(file, error);
 }
 
 }  // namespace normalscope

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "core/lessons/unsaved_work.h"
 #include "core/scene/history.h"
 #include "core/scene/scene.h"
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace normalscope {
 
@@ -14,6 +16,16 @@ struct Origin {
     std::string file;           ///< or the name of whatever is built in; empty: none
     bool is_the_users = false;  ///< a scene file, which can be saved to without asking
     Scene saved;
+    bool is_play = false;  ///< a lesson's or an exercise's: what is done there is no work
+    /// Where a mesh was opened into work that has no file, that work is this one by now.
+    std::shared_ptr<const Origin> goes_on_from{};
+};
+
+/// A scene and what it comes from.
+struct Work {
+    Scene scene;
+    std::shared_ptr<Origin> origin;
+    friend bool operator==(const Work&, const Work&) = default;
 };
 
 /// The scene, its name, and what can be undone: an undo brings back both.
@@ -27,17 +39,28 @@ public:
     bool has_file() const { return origin_->is_the_users; }
     /// There is work that no file holds. How one looks at a scene is none where it has no file of its own.
     bool unsaved() const;
+    /// All such work that an undo leads back to, also from before another scene was opened; the newest is the last.
+    std::vector<Work> all_unsaved() const;
 
     /// Another scene, which is as it is in its file.
     void open(Scene opened, const std::string& file);
-    /// The scene comes from a lesson from now on: saving it to the lesson's file would lose the steps.
-    void open_lesson(const std::string& name);
+    /// A mesh in place of the surface: what else has been done to the scene is as unsaved as it was.
+    void open_mesh(Scene with_mesh, const std::string& file);
+    /// A lesson or exercises, whose scenes are no work, begin with the scene as it is: saving it to a lesson's file would
+    /// lose the steps.
+    void play(const std::string& name) { origin_ = std::make_shared<Origin>(Origin{name, false, scene, true}); }
+    /// To work that was left.
+    void go_back_to(const Work& work);
     /// Work of an earlier session, which no file holds.
-    void recover(Scene unsaved);
+    void recover(const UnsavedWork& work);
     /// The same scene is called that from now on.
     void saved_as(const std::string& file);
     /// The scene as it is now counts as saved.
-    void settle() { origin_->saved = scene; }
+    void settle() { *origin_ = {origin_->file, origin_->is_the_users, scene}; }
+    /// Nothing that is unsaved matters any more.
+    void discard() {
+        for (const Work& work : all_unsaved()) work.origin->saved = work.scene;
+    }
     /// Exercises come and go, and the scene's origin with them.
     std::shared_ptr<Origin> origin() const { return origin_; }
     void set_origin(std::shared_ptr<Origin> origin) { origin_ = std::move(origin); }
@@ -52,18 +75,13 @@ public:
     void go_back_to_last() { take(history_.current()); }
 
 private:
-    struct State {
-        Scene scene;
-        std::shared_ptr<Origin> origin;
-        friend bool operator==(const State&, const State&) = default;
-    };
-    void take(const State& state) {
-        scene = state.scene;
-        origin_ = state.origin;
+    void take(const Work& work) {
+        scene = work.scene;
+        origin_ = work.origin;
     }
 
     std::shared_ptr<Origin> origin_;
-    History<State> history_;
+    History<Work> history_;
 };
 
 }  // namespace normalscope

@@ -12,6 +12,7 @@
 #include "viewer/viewer.h"
 
 #include <chrono>
+#include <ranges>
 #include <utility>
 
 namespace normalscope {
@@ -25,11 +26,8 @@ std::string short_name(const std::string& file) {
     return is_link(file) ? "link" : std::filesystem::path(file).filename().string();
 }
 
-// A relative path means something only where the program was started.
-Scene portable(Scene scene) {
-    if (auto* surface = std::get_if<MeshSurface>(&scene.surface))
-        surface->mesh = std::filesystem::absolute(surface->mesh).string();
-    return scene;
+std::string name_of(const Work& work) {
+    return work.origin->file.empty() ? "a scene without a name" : short_name(work.origin->file);
 }
 
 }  // namespace
@@ -37,7 +35,7 @@ Scene portable(Scene scene) {
 void Viewer::show_title() {
     const std::string& file = document_.file();
     std::string title =
-        (unsaved() ? "\u2022 " : "") + (file.empty() ? "" : short_name(file) + " \u2013 ") + "Normalscope";
+        (document_.unsaved() ? "\u2022 " : "") + (file.empty() ? "" : short_name(file) + " \u2013 ") + "Normalscope";
     if (title != title_) host_.set_title(title_ = std::move(title));
 }
 
@@ -47,40 +45,62 @@ void Viewer::close() {
         lecture().leave(document_.scene);  // what there was before may not be saved
         document_.set_origin(origin_before_exercises_);
     }
-    if (!unsaved()) {
-        host_.keep("");
-        return host_.close();
-    }
-    gui_.interface.ask(Asked::Closing, "Save the scene?",
-                       "It has been changed since it was " + std::string(document_.has_file() ? "saved." : "opened."),
-                       {"Save", "Discard", "Stay"});
+    const std::vector<Work> all = document_.all_unsaved();
+    std::vector<Work> works = all;
+    std::erase_if(works, [&](const Work& work) { return !can_be_drawn(work.scene); });
+    if (!works.empty()) return ask_to_save(works);
+    keep(all);  // what can be shown to nobody may be shown next time
+    host_.close();
 }
 
-void Viewer::offer(Scene unsaved) {
-    offered_ = std::move(unsaved);
-    gui_.interface.ask(Asked::Recovering, "Go back to the scene of last time?",
-                       "The program ended before it was saved.", {"Go back", "No"});
+void Viewer::ask_to_save(const std::vector<Work>& works) {
+    document_.go_back_to(works.back());  // what is asked about is seen
+    std::string text = "It has been changed since it was " + std::string(document_.has_file() ? "saved" : "opened");
+    std::string others;
+    for (const Work& work : works | std::views::reverse | std::views::drop(1))
+        others += (others.empty() ? "" : ", ") + name_of(work);
+    text += others.empty() ? "." : ". So have others that were open: " + others + ".";
+    gui_.interface.ask(Asked::Closing, "Save the scene?", std::move(text),
+                       {"Save", others.empty() ? "Discard" : "Discard all", "Stay"});
+}
+
+void Viewer::offer() {
+    keep({});
+    const std::string which = offered_.size() > 1 ? "scenes" : "scene";
+    gui_.interface.ask(Asked::Recovering, "Go back to the " + which + " of last time?",
+                       offered_.size() > 1
+                           ? "The program ended before they were saved. Ctrl+Z leads from one to the other."
+                           : "The program ended before it was saved.",
+                       {"Go back", "No"});
 }
 
 void Viewer::obey(const Reply& reply) {
     if (reply.asked == Asked::Recovering) {
-        if (reply.choice == 0 && offered_) document_.recover(std::move(*offered_));
-        offered_.reset();
+        const std::vector<UnsavedWork> offered = std::exchange(offered_, {});
+        if (reply.choice != 0) return;
+        for (const UnsavedWork& work : offered)
+            if (can_be_drawn(work.scene))
+                document_.recover(work);
+            else
+                offered_.push_back(work);  // perhaps next time
         return;
     }
-    if (reply.choice == 2) return;
+    if (reply.choice == 2) {
+        if (!offered_.empty()) offer();  // this is still to be answered
+        return;
+    }
     closes_when_saved_ = reply.choice == 0;
     if (closes_when_saved_) return save();
-    host_.keep("");
-    host_.close();
+    document_.discard();
+    close();
 }
 
-void Viewer::keep_unsaved() {
-    if (exercising()) return;  // what there was before is kept
-    const auto unheld = unsaved() ? std::optional(document_.scene) : std::nullopt;
-    if (unheld == kept_) return;
-    host_.keep(unheld ? scene_text(portable(*unheld)) : "");
-    kept_ = unheld;
+void Viewer::keep(const std::vector<Work>& works) {
+    std::vector<UnsavedWork> all = offered_;
+    for (const Work& work : works) all.push_back({work.origin->file, work.scene});
+    if (all == kept_) return;
+    host_.keep(all.empty() ? "" : unsaved_text(all));
+    kept_ = std::move(all);
 }
 
 void Viewer::save() {
@@ -113,23 +133,32 @@ void Viewer::finish_opening() {
 
 void Viewer::take(Opened opened) {
     commit();
+    const std::shared_ptr<Origin> left = document_.origin();
     if (opened.exercises) {
+        if (in_lesson()) {
+            lecture().player.arrive(document_.scene);
+            document_.settle();
+        }
         if (!exercising()) origin_before_exercises_ = document_.origin();
-        document_.set_origin(std::make_shared<Origin>(Origin{.file = opened.file, .saved = {}}));
+        document_.play(opened.file);
         lecture().start_exercises(*opened.exercises, document_.scene);
     } else if (opened.lesson) {
         surfaces_ = std::move(opened.surfaces);
-        document_.open_lesson(opened.lesson->name);
+        document_.play(opened.lesson->name);
         gui_.interface.open_lesson(std::move(opened.lesson), document_.scene, opened.step);
     } else {
         lecture().exercises.stop();
-        const bool goes_on = is_mesh_file(opened.file) && document_.unsaved();  // a mesh changes the surface alone
-        const Scene saved = document_.origin()->saved;
         opened.scene.theme = document_.scene.theme;  // the room's light does not change with the scene
         surfaces_ = std::move(opened.surfaces);
-        document_.open(std::move(opened.scene), opened.file);
-        if (goes_on) document_.origin()->saved = saved;
+        if (is_mesh_file(opened.file))
+            document_.open_mesh(std::move(opened.scene), opened.file);
+        else
+            document_.open(std::move(opened.scene), opened.file);
     }
+    if (presenting() || left == document_.origin()) return;
+    for (const Work& work : document_.all_unsaved())
+        if (work.origin == left)
+            gui_.interface.show_note("Ctrl+Z goes back to " + name_of(work) + ", which is not saved");
 }
 
 void Viewer::save_scene(const std::filesystem::path& file) {

@@ -45,8 +45,8 @@ public:
     virtual void toggle_full_screen() = 0;
     virtual void to_next_monitor() = 0;
     virtual void close() = 0;
-    /// A scene's JSON, to be offered next time if the program ends otherwise than by close(); empty: nothing.
-    virtual void keep(const std::string& scene) = 0;
+    /// Work that no file holds, as unsaved_text() writes it: to be offered next time. Empty: nothing.
+    virtual void keep(const std::string& unsaved) = 0;
 };
 
 }  // namespace normalscope

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "core/lessons/unsaved_work.h"
 #include "core/picture/display_scale.h"
-#include "core/scene/scene.h"
 
 #include <cstddef>
 #include <map>
-#include <optional>
 #include <string>
+#include <vector>
 
 namespace normalscope {
 
@@ -14,7 +14,7 @@ namespace normalscope {
 struct Remembered {
     DisplayScale scale;
     std::map<std::string, std::size_t> lessons;  ///< the step at which each was left
-    std::optional<Scene> unsaved{};              ///< where it ended before that was saved
+    std::vector<UnsavedWork> unsaved{};          ///< where it ended before that was saved
 };
 
 }  // namespace normalscope

@@ -116,7 +116,14 @@ void Viewer::commit_if_finished() {
 void Viewer::undo(Direction direction) {
     if (exercising()) return;
     commit();
-    direction == Direction::Redo ? document_.redo() : document_.undo();
+    const bool redo = direction == Direction::Redo;
+    int steps = 0;
+    while (redo ? document_.can_redo() : document_.can_undo()) {
+        redo ? document_.redo() : document_.undo();
+        if (can_be_drawn(document_.scene)) return;
+        ++steps;
+    }
+    for (; steps > 0; --steps) redo ? document_.undo() : document_.redo();
 }
 
 }  // namespace normalscope

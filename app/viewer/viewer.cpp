@@ -33,10 +33,11 @@ Viewer::Viewer(Host& host, Opened first, Remembered remembered)
     else
         surfaces_ = std::move(first.surfaces);
     show_title();
-    if (remembered.unsaved) offer(std::move(*remembered.unsaved));
+    offered_ = std::move(remembered.unsaved);
+    if (!offered_.empty()) offer();
 }
 
-Remembered Viewer::remembered() const { return {scale_, lecture().progress, std::nullopt}; }
+Remembered Viewer::remembered() const { return {scale_, lecture().progress, {}}; }
 
 Scene Viewer::shown_scene() const {
     Scene scene = document_.scene;
@@ -81,6 +82,15 @@ void Viewer::catch_up() {
     }
 }
 
+bool Viewer::can_be_drawn(const Scene& scene) {
+    try {
+        return surfaces_->get(scene) != nullptr;
+    } catch (const InputError& e) {
+        gui_.interface.show_error(e.what());
+        return false;
+    }
+}
+
 Frame Viewer::frame_now(Marks marks) {
     const auto make = [&] {
         const std::shared_ptr<const Surface> surface = surfaces_->get(document_.scene);
@@ -120,6 +130,8 @@ Requests Viewer::lay_out() {
     laid_out_at_ = host_.now();
     if (was_exercising && !exercising()) document_.set_origin(origin_before_exercises_);
     if (was_in_lesson && !in_lesson()) document_.settle();
+    // From whatever else was opened meanwhile, the lesson goes on.
+    if (lecture().moving() && !in_lesson()) document_.play(lecture().player.lesson().name);
     return requests;
 }
 
@@ -156,7 +168,7 @@ void Viewer::draw() {
     obey(requests);
     if (!pointer_.scrolled()) commit_if_finished();
     show_title();
-    if (!pointer_.busy() && !gui_.editing()) keep_unsaved();
+    if (!pointer_.busy() && !gui_.editing()) keep(document_.all_unsaved());
     if (!gui_.interface.dialog_shown()) closes_when_saved_ = false;
     if (gui_.has_more_input()) frames_wanted_ = std::max(frames_wanted_, 1);
 }

@@ -73,6 +73,8 @@ private:
 
     // What is seen: viewer.cpp
     bool has_room() const;
+    /// A mesh's file may be gone by now: then this is said.
+    bool can_be_drawn(const Scene& scene);
     void draw();
     /// Frame and interface as of now.
     Requests compose();
@@ -102,18 +104,19 @@ private:
         if (!exercising()) document_.commit();
     }
     enum class Direction { Undo, Redo };
+    /// To the next state that can be drawn.
     void undo(Direction direction);
 
     // What comes in and goes out: exchange.cpp
     void finish_opening();
     void take(Opened opened);
-    /// The scene that an earlier session did not come to save.
-    void offer(Scene unsaved);
+    /// What an earlier session did not come to save.
+    void offer();
     void obey(const Reply& reply);
-    /// There is work that would be lost. What is done in a lesson or an exercise is play.
-    bool unsaved() const { return !in_lesson() && !exercising() && document_.unsaved(); }
-    /// So that it can be offered again, should the program end in another way than by close().
-    void keep_unsaved();
+    /// Whether to save all that is not, one after the other.
+    void ask_to_save(const std::vector<Work>& works);
+    /// Has the host keep these works, and what is offered still.
+    void keep(const std::vector<Work>& works);
     /// To the open file, or to one that is asked for.
     void save();
     void save_scene(const std::filesystem::path& file);
@@ -135,9 +138,9 @@ private:
     Document document_;
     std::shared_ptr<Origin> origin_before_exercises_;
     std::string title_;
-    std::optional<Scene> kept_;  ///< by the host
+    std::vector<UnsavedWork> kept_;  ///< by the host
     bool closes_when_saved_ = false;
-    std::optional<Scene> offered_;
+    std::vector<UnsavedWork> offered_;
     std::optional<Frame> frame_;
     Pointer pointer_;
     glm::dvec2 pointer_at_{0.0};

@@ -18,6 +18,16 @@ protected:
         viewer().close();
         settle();
     }
+    /// What the host was last asked to keep, of which there is one.
+    Scene kept() const {
+        const auto works = parse_unsaved(host_.kept, "kept");
+        return works.size() == 1 ? works.front().scene : Scene{};
+    }
+    std::vector<std::string> kept_files() const {
+        std::vector<std::string> files;
+        for (const UnsavedWork& work : parse_unsaved(host_.kept, "kept")) files.push_back(work.file);
+        return files;
+    }
 };
 
 TEST_F(WorkTest, ADotInTheTitleWhileUnsaved) {
@@ -148,7 +158,7 @@ TEST_F(WorkTest, ClosingInAnExerciseAsksAboutTheSceneBefore) {
     key(ImGuiKey_C);
     const Scene work = scene();
     open("exercises:42");
-    EXPECT_EQ(parse_scene(host_.kept, "kept"), work);
+    EXPECT_EQ(kept(), work);
     close();
     EXPECT_TRUE(asked());
     EXPECT_EQ(scene(), work);
@@ -168,13 +178,13 @@ TEST_F(WorkTest, AMeshOpenedIntoUnsavedWorkIsUnsaved) {
 TEST_F(WorkTest, WhatIsUnsavedIsKeptOnceAChangeIsDone) {
     start_from_file();
     key(ImGuiKey_C);
-    EXPECT_EQ(parse_scene(host_.kept, "kept"), scene());
+    EXPECT_EQ(kept(), scene());
     point(ground());
     press();
     point(ground() + glm::dvec2(30, 0));
-    EXPECT_NE(parse_scene(host_.kept, "kept"), scene());
+    EXPECT_NE(kept(), scene());
     release();
-    EXPECT_EQ(parse_scene(host_.kept, "kept"), scene());
+    EXPECT_EQ(kept(), scene());
     key(kCtrl | ImGuiKey_S);
     EXPECT_EQ(host_.kept, "");
 }
@@ -182,17 +192,163 @@ TEST_F(WorkTest, WhatIsUnsavedIsKeptOnceAChangeIsDone) {
 TEST_F(WorkTest, WhatAnEarlierSessionLeftIsOffered) {
     Scene left = light();
     left.rule = Rule::Cofactor;
-    start(light(), "", {.scale = {}, .lessons = {}, .unsaved = left});
+    start(light(), "", {.scale = {}, .lessons = {}, .unsaved = {{"", left}}});
     EXPECT_TRUE(asked());
     EXPECT_EQ(scene(), light());
     key(ImGuiKey_Enter);
     EXPECT_EQ(scene(), left);
     EXPECT_TRUE(is_unsaved());
     expect_undo({light(), left});
-    start(light(), "", {.scale = {}, .lessons = {}, .unsaved = left});
+    start(light(), "", {.scale = {}, .lessons = {}, .unsaved = {{"", left}}});
     key(ImGuiKey_Escape);
     EXPECT_EQ(scene(), light());
     EXPECT_FALSE(asked());
+}
+
+TEST_F(WorkTest, WhatWasLeftUnsavedIsAskedAboutInTheEnd) {
+    start_from_file();
+    key(ImGuiKey_C);
+    const Scene work = scene();
+    open("shear");
+    EXPECT_EQ(message(), "Ctrl+Z goes back to s.json, which is not saved");
+    EXPECT_EQ(kept(), work);
+    close();
+    EXPECT_TRUE(asked());
+    EXPECT_EQ(scene(), work) << "what is asked about is seen";
+    EXPECT_EQ(named(), "s.json");
+    key(ImGuiKey_Enter);
+    EXPECT_TRUE(host_.closed);
+    EXPECT_EQ(load_scene(path("s.json")), work);
+}
+
+TEST_F(WorkTest, SeveralScenesAreSavedOneAfterTheOther) {
+    start();
+    key(ImGuiKey_C);
+    const Scene first = scene();
+    open("shear");
+    key(ImGuiKey_C);
+    open("exercises:7");
+    EXPECT_EQ(kept_files(), (std::vector<std::string>{"", "shear"}));
+    close();
+    EXPECT_EQ(named(), "shear");
+    key(ImGuiKey_Enter);
+    type(path("a.json"));
+    key(ImGuiKey_Enter);
+    EXPECT_FALSE(host_.closed);
+    EXPECT_TRUE(asked());
+    EXPECT_EQ(scene(), first);
+    keys({ImGuiKey_S});
+    type(path("b.json"));
+    key(ImGuiKey_Enter);
+    EXPECT_TRUE(host_.closed);
+    EXPECT_EQ(load_scene(path("b.json")), first);
+    EXPECT_EQ(host_.kept, "");
+}
+
+TEST_F(WorkTest, SeveralScenesAreDiscardedAtOnce) {
+    start();
+    key(ImGuiKey_C);
+    open("shear");
+    key(ImGuiKey_C);
+    close();
+    click(Item("##question") / "Discard all");
+    EXPECT_TRUE(host_.closed);
+    EXPECT_EQ(host_.kept, "");
+}
+
+TEST_F(WorkTest, WhatHasBeenSavedOrUndoneIsNotAskedAbout) {
+    start_from_file();
+    keys({ImGuiKey_C, kCtrl | ImGuiKey_S});
+    open("shear");
+    key(ImGuiKey_C);
+    key(kCtrl | ImGuiKey_Z);
+    open("rotation");
+    close();
+    EXPECT_TRUE(host_.closed);
+}
+
+TEST_F(WorkTest, AMeshGoesOnWithWorkThatHasNoFile) {
+    write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    start();
+    key(ImGuiKey_C);
+    open(path("a.obj"));
+    EXPECT_EQ(kept_files(), std::vector<std::string>{path("a.obj")});
+    answer_dialog(ImGuiKey_S, path("b.json"));
+    close();
+    EXPECT_TRUE(host_.closed);
+}
+
+TEST_F(WorkTest, WhatCannotBeDrawnAnyMoreIsPassedOverByUndo) {
+    write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    start();
+    const Scene first = scene();
+    open(path("a.obj"));
+    open("shear");
+    const Scene last = scene();
+    std::filesystem::remove(path("a.obj"));
+    key(kCtrl | ImGuiKey_Z);
+    EXPECT_NE(message().find("a.obj"), std::string::npos) << message();
+    EXPECT_EQ(scene(), first);
+    key(kCtrl | ImGuiKey_Y);
+    EXPECT_EQ(scene(), last);
+
+    write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    Scene gone = light();
+    gone.surface = MeshSurface{path("gone.obj")};
+    start(load_scene(path("a.obj")), path("a.obj"), {.scale = {}, .lessons = {}, .unsaved = {{"", gone}, {"", gone}}});
+    const Scene before = scene();
+    key(ImGuiKey_Enter);
+    EXPECT_NE(message().find("gone.obj"), std::string::npos) << message();
+    EXPECT_EQ(scene(), before);
+    close();
+    EXPECT_TRUE(host_.closed);
+}
+
+TEST_F(WorkTest, ALessonThatGoesOnLeavesAFilesSceneAlone) {
+    save_scene(light(), path("s.json"));
+    start(light(), "3-when-naive-is-right");
+    open(path("s.json"));
+    EXPECT_EQ(named(), "s.json");
+    key(ImGuiKey_PageDown);
+    EXPECT_EQ(named(), "3-when-naive-is-right");
+    EXPECT_FALSE(is_unsaved());
+    key(kCtrl | ImGuiKey_S);
+    EXPECT_TRUE(viewer().interface().dialog_shown());
+    EXPECT_EQ(load_scene(path("s.json")), light());
+}
+
+TEST_F(WorkTest, AfterExercisesWithinALessonThereIsWorkAgain) {
+    start(light(), "3-when-naive-is-right");
+    open("exercises:42");
+    key(ImGuiKey_Escape);
+    EXPECT_FALSE(is_unsaved());
+    key(ImGuiKey_C);
+    EXPECT_TRUE(is_unsaved());
+}
+
+TEST_F(WorkTest, WhatIsOfferedHasItsNameAndIsKeptUntilItIsAnswered) {
+    save_scene(light(), path("s.json"));
+    Scene left = light();
+    left.rule = Rule::Cofactor;
+    const Remembered remembered{.scale = {}, .lessons = {}, .unsaved = {{"", light("shear")}, {path("s.json"), left}}};
+    start(light(), "", remembered);
+    EXPECT_EQ(kept_files(), (std::vector<std::string>{"", path("s.json")}));
+    close();
+    EXPECT_TRUE(host_.closed);
+    EXPECT_EQ(kept_files(), (std::vector<std::string>{"", path("s.json")})) << "there was no answer";
+
+    start(light(), "", remembered);
+    key(ImGuiKey_Enter);
+    EXPECT_EQ(scene(), left);
+    EXPECT_EQ(named(), "s.json");
+    EXPECT_TRUE(is_unsaved());
+    key(kCtrl | ImGuiKey_S);
+    EXPECT_EQ(load_scene(path("s.json")), left);
+    expect_undo({light(), light("shear"), left});
+
+    start(light(), "", remembered);
+    keys({ImGuiKey_Escape});
+    EXPECT_EQ(host_.kept, "");
 }
 
 }  // namespace

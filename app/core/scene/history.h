@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,8 @@ public:
         if (states_.size() > kMost) states_.erase(states_.begin());
         now_ = states_.size() - 1;
     }
+    /// What undoing goes back through; the present state is the last.
+    std::span<const State> done() const { return {states_.data(), now_ + 1}; }
     const State& current() const { return states_[now_]; }
     bool can_undo() const { return now_ > 0; }
     bool can_redo() const { return now_ + 1 < states_.size(); }
