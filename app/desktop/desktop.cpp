@@ -42,6 +42,7 @@ public:
         viewer_.step();  // before any event: what one means depends on what is on the screen
         while (!glfwWindowShouldClose(window_.handle())) {
             wait(viewer_.due());
+            window_.watch_place();
             viewer_.step();
         }
     }

@@ -66,6 +66,8 @@ Settings load_settings() {
         if (const auto size = pair(json, "window_size"); size && size->x >= 480 && size->y >= 320)
             settings.place.size = *size;
         settings.place.position = pair(json, "window_position");
+        if (const auto it = json.find("window_maximised"); it != json.end() && it->is_boolean())
+            settings.place.maximised = it->get<bool>();
         settings.remembered.scale.interface = factor(json, "interface_scale");
         settings.remembered.scale.presenter = factor(json, "presenter_scale");
         settings.remembered.lessons = steps(json);
@@ -85,6 +87,7 @@ void save_settings(const Settings& settings) {
     Json json;
     json["window_size"] = {settings.place.size.x, settings.place.size.y};
     if (settings.place.position) json["window_position"] = {settings.place.position->x, settings.place.position->y};
+    if (settings.place.maximised) json["window_maximised"] = true;
     json["interface_scale"] = settings.remembered.scale.interface;
     json["presenter_scale"] = settings.remembered.scale.presenter;
     if (!settings.monitor.empty()) json["monitor"] = settings.monitor;

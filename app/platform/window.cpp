@@ -96,6 +96,7 @@ Window::Window(const char* title, const WindowPlace& place) {
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_MAXIMIZED, place.maximised ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "normalscope");
     const glm::ivec2 size = fitting_size(place);
     window_ = glfwCreateWindow(size.x, size.y, title, nullptr, nullptr);
@@ -106,6 +107,7 @@ Window::Window(const char* title, const WindowPlace& place) {
     }
     if (place.position) glfwSetWindowPos(window_, place.position->x, place.position->y);
     glfwSetWindowSizeLimits(window_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    latest_ = settled_ = place;
     glfwShowWindow(window_);
 }
 
@@ -139,8 +141,30 @@ float Window::content_scale() const {
     return std::clamp(std::max(x, y), 0.5f, 4.0f);
 }
 
+bool Window::maximised() const { return glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE; }
+
+// A window manager resizes a window before or after it says that it is maximised, so that a place counts once it has been
+// kept for a while.
+void Window::watch_place() {
+    constexpr double kAWhile = 0.5;  // seconds
+    if (windowed_) return;
+    const bool settled = glfwGetTime() - latest_since_ > kAWhile;
+    if (!maximised()) {
+        to_go_back_to_.reset();
+        const WindowPlace now = place();
+        if (now == latest_) return;
+        if (settled) settled_ = latest_;
+        latest_ = now;
+        latest_since_ = glfwGetTime();
+    } else if (!to_go_back_to_) {
+        to_go_back_to_ = settled ? latest_ : settled_;
+        to_go_back_to_->maximised = true;
+    }
+}
+
 WindowPlace Window::place() const {
     if (windowed_) return *windowed_;
+    if (to_go_back_to_) return *to_go_back_to_;
     WindowPlace place;
     glm::ivec2 position;
     glfwGetWindowSize(window_, &place.size.x, &place.size.y);
@@ -155,6 +179,7 @@ void Window::toggle_full_screen() {
         windowed_.reset();
         glfwSetWindowMonitor(window_, nullptr, back.position->x, back.position->y, back.size.x, back.size.y,
                              GLFW_DONT_CARE);
+        if (back.maximised) glfwMaximizeWindow(window_);
         return;
     }
     const WindowPlace now = place();

@@ -16,6 +16,8 @@ namespace normalscope {
 struct WindowPlace {
     glm::ivec2 size{1280, 800};
     std::optional<glm::ivec2> position;
+    bool maximised = false;  ///< size and position are those to go back to
+    friend bool operator==(const WindowPlace&, const WindowPlace&) = default;
 };
 
 /// A GLFW window with its context. Throws ContextError where there is no display or no OpenGL 3.3.
@@ -37,6 +39,8 @@ public:
     float content_scale() const;
     /// Where it stands when not full screen.
     WindowPlace place() const;
+    /// Whenever something has happened to it: once it is maximised nobody knows where it stood before.
+    void watch_place();
     /// Full screen, on the monitor that was chosen last or else on the one that it is on, and back.
     void toggle_full_screen();
     /// While full screen: to the next monitor, whose name is remembered.
@@ -47,7 +51,12 @@ public:
 
 private:
     GLFWwindow* window_ = nullptr;
-    std::optional<WindowPlace> windowed_;  // set while full screen
+    bool maximised() const;
+
+    std::optional<WindowPlace> windowed_;       // set while full screen
+    WindowPlace latest_, settled_;              // while not maximised; the latter had been kept for a while
+    double latest_since_ = 0.0;                 // by GLFW's clock
+    std::optional<WindowPlace> to_go_back_to_;  // set while maximised
     std::string chosen_monitor_;
 };
 

@@ -26,5 +26,18 @@ TEST(Settings, AKillInTheMiddleLeavesWholeSettings) {
     EXPECT_EQ(load_settings().remembered.lessons.size(), 200u);
 }
 
+TEST(Settings, AreReadAsTheyWereWritten) {
+    const TemporaryFolder folder(fs::path(testing::TempDir()) / "normalscope-settings");
+    ::setenv("XDG_CONFIG_HOME", folder.path().c_str(), 1);
+    for (const bool maximised : {false, true}) {
+        Settings settings;
+        settings.place = {{1000, 700}, glm::ivec2(-30, 40), maximised};
+        settings.monitor = "DP-1";
+        save_settings(settings);
+        EXPECT_EQ(load_settings().place, settings.place);
+        EXPECT_EQ(load_settings().monitor, settings.monitor);
+    }
+}
+
 }  // namespace
 }  // namespace normalscope

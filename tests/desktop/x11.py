@@ -4,6 +4,7 @@ import ctypes
 import struct
 
 CLIENT_MESSAGE, SELECTION_REQUEST, SELECTION_NOTIFY = 33, 30, 31
+SUBSTRUCTURE = 0x180000  # who listens to that is the window manager
 REPLACE, ALL_PLANES, Z_PIXMAP = 0, -1, 2
 
 
@@ -45,6 +46,21 @@ class Display:
     def message(self, window, kind, *data):
         data = [*data, 0, 0, 0, 0, 0][:5]
         self.send(window, struct.pack("=i4xqi4xqQQi4x5q", CLIENT_MESSAGE, 0, 1, 0, window, self.atom(kind), 32, *data))
+
+    def has_manager(self):
+        kind, form, count, left, data = ctypes.c_ulong(), ctypes.c_int(), ctypes.c_ulong(), ctypes.c_ulong(), ctypes.c_void_p()
+        self.x.XGetWindowProperty(self.display, ctypes.c_ulong(self.x.XDefaultRootWindow(self.display)),
+                                  ctypes.c_ulong(self.atom("_NET_SUPPORTED")), ctypes.c_long(0), ctypes.c_long(1), 0, ctypes.c_ulong(0),
+                                  *map(ctypes.byref, (kind, form, count, left, data)))
+        return count.value > 0
+
+    def maximise(self, window, on):
+        """Asks the window manager, as a window's title bar does."""
+        states = (self.atom(f"_NET_WM_STATE_MAXIMIZED_{way}") for way in ("VERT", "HORZ"))
+        event = struct.pack("=i4xqi4xqQQi4x5q", CLIENT_MESSAGE, 0, 1, 0, window, self.atom("_NET_WM_STATE"), 32, on, *states, 1, 0)
+        root = ctypes.c_ulong(self.x.XDefaultRootWindow(self.display))
+        self.x.XSendEvent(self.display, root, 0, ctypes.c_long(SUBSTRUCTURE), event.ljust(192, b"\0"))
+        self.x.XFlush(self.display)
 
     def next_event(self, kind):
         event = ctypes.create_string_buffer(192)
