@@ -85,7 +85,7 @@ void save_settings(const Settings& settings) {
     std::error_code error;
     std::filesystem::create_directories(file->parent_path(), error);
     Json json;
-    json["window_size"] = {settings.place.size.x, settings.place.size.y};
+    if (settings.place.size) json["window_size"] = {settings.place.size->x, settings.place.size->y};
     if (settings.place.position) json["window_position"] = {settings.place.position->x, settings.place.position->y};
     if (settings.place.maximised) json["window_maximised"] = true;
     json["interface_scale"] = settings.remembered.scale.interface;

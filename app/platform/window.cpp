@@ -18,6 +18,8 @@ namespace normalscope {
 
 namespace {
 
+constexpr glm::ivec2 kFirstSize{1280, 800};  // logical pixels
+
 std::string last_error() {
     const char* text = nullptr;
     glfwGetError(&text);
@@ -59,15 +61,15 @@ GLFWmonitor* monitor_named(const std::string& name) {
 GLFWmonitor* monitor_of(const WindowPlace& place) {
     GLFWmonitor* best = glfwGetPrimaryMonitor();
     int best_area = 0;
+    const glm::ivec2 size = place.size.value_or(kFirstSize);
     for (GLFWmonitor* monitor : monitors()) {
         glm::ivec2 origin;
         glfwGetMonitorPos(monitor, &origin.x, &origin.y);
         const GLFWvidmode* mode = glfwGetVideoMode(monitor);
         if (!mode || !place.position) continue;
-        const int w =
-            std::min(place.position->x + place.size.x, origin.x + mode->width) - std::max(place.position->x, origin.x);
-        const int h =
-            std::min(place.position->y + place.size.y, origin.y + mode->height) - std::max(place.position->y, origin.y);
+        const glm::ivec2 low = glm::max(*place.position, origin);
+        const glm::ivec2 high = glm::min(*place.position + size, origin + glm::ivec2(mode->width, mode->height));
+        const int w = high.x - low.x, h = high.y - low.y;
         if (w <= 0 || h <= 0 || w * h <= best_area) continue;
         best_area = w * h;
         best = monitor;
@@ -77,9 +79,15 @@ GLFWmonitor* monitor_of(const WindowPlace& place) {
 
 // No larger than what its monitor leaves to windows.
 glm::ivec2 fitting_size(const WindowPlace& place) {
+    const glm::ivec2 size = place.size.value_or(kFirstSize);
+    GLFWmonitor* monitor = monitor_of(place);
+    if (!monitor) return size;
     glm::ivec2 room(0);
-    if (GLFWmonitor* monitor = monitor_of(place)) glfwGetMonitorWorkarea(monitor, nullptr, nullptr, &room.x, &room.y);
-    return room.x > 0 && room.y > 0 ? glm::min(place.size, room) : place.size;
+    glm::vec2 scale(1.0f);
+    glfwGetMonitorWorkarea(monitor, nullptr, nullptr, &room.x, &room.y);
+    if (!place.size) glfwGetMonitorContentScale(monitor, &scale.x, &scale.y);
+    if (room.x <= 0 || room.y <= 0) return size;
+    return glm::min(size, glm::ivec2(glm::vec2(room) / glm::max(scale, glm::vec2(1.0f))));
 }
 
 }  // namespace
@@ -94,7 +102,8 @@ Window::Window(const char* title, const WindowPlace& place) {
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the renderer has its own framebuffer
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    // A size that is remembered is the enlarged one, and would grow each time.
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, place.size ? GLFW_FALSE : GLFW_TRUE);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_MAXIMIZED, place.maximised ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "normalscope");
@@ -107,7 +116,7 @@ Window::Window(const char* title, const WindowPlace& place) {
     }
     if (place.position) glfwSetWindowPos(window_, place.position->x, place.position->y);
     glfwSetWindowSizeLimits(window_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
-    latest_ = settled_ = place;
+    latest_ = settled_ = this->place();
     glfwShowWindow(window_);
 }
 
@@ -165,19 +174,17 @@ void Window::watch_place() {
 WindowPlace Window::place() const {
     if (windowed_) return *windowed_;
     if (to_go_back_to_) return *to_go_back_to_;
-    WindowPlace place;
-    glm::ivec2 position;
-    glfwGetWindowSize(window_, &place.size.x, &place.size.y);
+    glm::ivec2 size, position;
+    glfwGetWindowSize(window_, &size.x, &size.y);
     glfwGetWindowPos(window_, &position.x, &position.y);
-    place.position = position;
-    return place;
+    return {size, position};
 }
 
 void Window::toggle_full_screen() {
     if (windowed_) {
         const WindowPlace back = *windowed_;
         windowed_.reset();
-        glfwSetWindowMonitor(window_, nullptr, back.position->x, back.position->y, back.size.x, back.size.y,
+        glfwSetWindowMonitor(window_, nullptr, back.position->x, back.position->y, back.size->x, back.size->y,
                              GLFW_DONT_CARE);
         if (back.maximised) glfwMaximizeWindow(window_);
         return;

@@ -14,7 +14,7 @@ namespace normalscope {
 
 /// A window's place on the desktop, to be found again next time.
 struct WindowPlace {
-    glm::ivec2 size{1280, 800};
+    std::optional<glm::ivec2> size;  ///< empty: the program's own, which a monitor's scale enlarges
     std::optional<glm::ivec2> position;
     bool maximised = false;  ///< size and position are those to go back to
     friend bool operator==(const WindowPlace&, const WindowPlace&) = default;

@@ -31,7 +31,7 @@ TEST(Settings, AreReadAsTheyWereWritten) {
     ::setenv("XDG_CONFIG_HOME", folder.path().c_str(), 1);
     for (const bool maximised : {false, true}) {
         Settings settings;
-        settings.place = {{1000, 700}, glm::ivec2(-30, 40), maximised};
+        settings.place = {glm::ivec2(1000, 700), glm::ivec2(-30, 40), maximised};
         settings.monitor = "DP-1";
         save_settings(settings);
         EXPECT_EQ(load_settings().place, settings.place);

@@ -158,6 +158,18 @@ class SizeTest(WindowTest):
         self.assert_closes(window)
         self.assertEqual(self.window(*LIGHT, size=None).geometry(), (1010, 620))
 
+    def test_on_a_fine_monitor_the_window_is_as_large_each_time(self):
+        display = Display()
+        self.addCleanup(display.close)
+        self.addCleanup(display.set_scale, 1)
+        display.set_scale(1.2)
+        sizes = []
+        for _ in range(3):
+            window = self.window(*LIGHT, size=None)
+            sizes.append(window.geometry())
+            self.assert_closes(window)
+        self.assertEqual(len(set(sizes)), 1, sizes)
+
     def test_the_size_at_first_and_with_damaged_settings(self):
         settings = self.folder / "config" / "normalscope" / "settings.json"
         settings.parent.mkdir(parents=True)

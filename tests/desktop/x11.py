@@ -47,6 +47,14 @@ class Display:
         data = [*data, 0, 0, 0, 0, 0][:5]
         self.send(window, struct.pack("=i4xqi4xqQQi4x5q", CLIENT_MESSAGE, 0, 1, 0, window, self.atom(kind), 32, *data))
 
+    def set_scale(self, scale):
+        """As a desktop's settings do: to be seen by windows that are opened after that."""
+        text = f"Xft.dpi:\t{96 * scale:g}\n".encode()
+        root = ctypes.c_ulong(self.x.XDefaultRootWindow(self.display))
+        self.x.XChangeProperty(self.display, root, ctypes.c_ulong(self.atom("RESOURCE_MANAGER")), ctypes.c_ulong(31), 8, REPLACE,
+                               text, len(text))
+        self.x.XFlush(self.display)
+
     def has_manager(self):
         kind, form, count, left, data = ctypes.c_ulong(), ctypes.c_int(), ctypes.c_ulong(), ctypes.c_ulong(), ctypes.c_void_p()
         self.x.XGetWindowProperty(self.display, ctypes.c_ulong(self.x.XDefaultRootWindow(self.display)),
