@@ -71,6 +71,8 @@ Settings load_settings() {
         settings.remembered.scale.interface = factor(json, "interface_scale");
         settings.remembered.scale.presenter = factor(json, "presenter_scale");
         settings.remembered.lessons = steps(json);
+        if (const auto motion = json.find("motion"); motion != json.end() && motion->is_boolean())
+            settings.remembered.motion = motion->get<bool>();
         if (const auto monitor = json.find("monitor"); monitor != json.end() && monitor->is_string())
             settings.monitor = monitor->get<std::string>();
     } catch (const std::exception&) {
@@ -90,6 +92,7 @@ void save_settings(const Settings& settings) {
     if (settings.place.maximised) json["window_maximised"] = true;
     json["interface_scale"] = settings.remembered.scale.interface;
     json["presenter_scale"] = settings.remembered.scale.presenter;
+    if (!settings.remembered.motion) json["motion"] = false;
     if (!settings.monitor.empty()) json["monitor"] = settings.monitor;
     for (const auto& [lesson, step] : settings.remembered.lessons) json["lessons"][lesson] = step;
     try {

@@ -14,6 +14,7 @@ namespace normalscope {
 struct Remembered {
     DisplayScale scale;
     std::map<std::string, std::size_t> lessons;  ///< the step at which each was left
+    bool motion = true;                          ///< false: what would move by itself is at its end at once
     std::vector<UnsavedWork> unsaved{};          ///< where it ended before that was saved
 };
 

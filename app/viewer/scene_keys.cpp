@@ -1,17 +1,15 @@
 #include "viewer/scene_keys.h"
 
-#include "core/picture/drawn_arrows.h"
-
 namespace normalscope {
 
-namespace {
-
-bool choose(Scene& scene, Rule rule) {
-    if (can_choose(scene, rule)) scene.rule = rule;
-    return true;
+std::optional<Rule> rule_of(ImGuiKey key) {
+    switch (key) {
+        case ImGuiKey_N: return Rule::Naive;
+        case ImGuiKey_I: return Rule::InverseTranspose;
+        case ImGuiKey_C: return Rule::Cofactor;
+        default: return std::nullopt;
+    }
 }
-
-}  // namespace
 
 bool press_view_key(Scene& scene, ImGuiKey key) {
     const auto look = [&](double azimuth, double elevation) {
@@ -30,9 +28,6 @@ bool press_view_key(Scene& scene, ImGuiKey key) {
 
 bool press_object_key(Scene& scene, ImGuiKey key) {
     switch (key) {
-        case ImGuiKey_N: return choose(scene, Rule::Naive);
-        case ImGuiKey_I: return choose(scene, Rule::InverseTranspose);
-        case ImGuiKey_C: return choose(scene, Rule::Cofactor);
         case ImGuiKey_V: scene.view = static_cast<ViewMode>((static_cast<int>(scene.view) + 1) % 3); return true;
         case ImGuiKey_E: scene.color = static_cast<SurfaceColor>((static_cast<int>(scene.color) + 1) % 3); return true;
         case ImGuiKey_G: scene.show.ghost = !scene.show.ghost; return true;

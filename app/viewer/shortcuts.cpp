@@ -1,3 +1,4 @@
+#include "core/picture/drawn_arrows.h"
 #include "core/picture/picking.h"
 #include "viewer/lecture_keys.h"
 #include "viewer/scene_keys.h"
@@ -65,7 +66,10 @@ void Viewer::shortcut(const KeyPress& key) {
     commit();
     if (key.control()) return shortcut_with_control(key);
     if (press_view_key(document_.scene, key.key)) return;
-    if (!exercising() && press_object_key(document_.scene, key.key)) return;  // what is asked must stay what it is
+    if (!exercising()) {  // what is asked must stay what it is
+        if (const auto rule = rule_of(key.key)) return choose(*rule);
+        if (press_object_key(document_.scene, key.key)) return;
+    }
     switch (key.key) {
         case ImGuiKey_M:
             if (presenting()) host_.to_next_monitor();
@@ -102,6 +106,14 @@ void Viewer::shortcut_with_control(const KeyPress& key) {
         case ImGuiKey_Q: return close();
         default: return;
     }
+}
+
+void Viewer::choose(Rule rule) {
+    Scene& scene = document_.scene;
+    if (!can_choose(scene, rule)) return;
+    swing_ = motion_ ? Swing::to(rule, scene, host_.now()) : std::nullopt;
+    scene.rule = rule;
+    if (rule != Rule::Cofactor) scene.power = 1.0;  // whoever asks for a rule wants that rule
 }
 
 void Viewer::present(bool presenting) {

@@ -24,10 +24,12 @@ Viewer::Viewer(Host& host, Opened first, Remembered remembered)
     : host_(host),
       gui_(host),
       scale_(remembered.scale),
+      motion_(remembered.motion),
       document_(first.scene, is_more_than_a_scene(first) ? "" : first.file),
       frames_wanted_(kFramesAfterEvent),
       laid_out_at_(host.now()) {
     lecture().progress = std::move(remembered.lessons);
+    lecture().player.moves = motion_;
     if (is_more_than_a_scene(first))
         take(std::move(first));
     else
@@ -37,12 +39,16 @@ Viewer::Viewer(Host& host, Opened first, Remembered remembered)
     if (!offered_.empty()) offer();
 }
 
-Remembered Viewer::remembered() const { return {scale_, lecture().progress, {}}; }
+Remembered Viewer::remembered() const { return {.scale = scale_, .lessons = lecture().progress, .motion = motion_}; }
 
 Scene Viewer::shown_scene() const {
     Scene scene = document_.scene;
     if (presenting()) scene.theme = theme_of(is_dark(scene.theme), true);
     return scene;
+}
+
+std::optional<Swing::Powers> Viewer::swinging() const {
+    return swing_ ? swing_->at(host_.now(), document_.scene) : std::nullopt;
 }
 
 float Viewer::scale() const { return scale_.of(host_.content_scale(), host_.framebuffer_size(), presenting()); }
@@ -57,13 +63,14 @@ std::optional<WorldBall> Viewer::surface_ball() const {
 void Viewer::wake() { frames_wanted_ = kFramesAfterEvent; }
 
 double Viewer::due() const {
-    if (frames_wanted_ > 0) return 0.0;
+    if (frames_wanted_ > 0 || swing_) return 0.0;
     const double wait = std::max(wake_at() - host_.now(), 0.0);
     return opening_ ? std::min(wait, kLookForFile) : wait;
 }
 
 void Viewer::step() {
-    if (opening_) frames_wanted_ = std::max(frames_wanted_, 1);
+    if (opening_ || swing_) frames_wanted_ = std::max(frames_wanted_, 1);
+    if (!swinging()) swing_.reset();
     finish_opening();
     if (host_.now() >= wake_at()) frames_wanted_ = std::max(frames_wanted_, 1);
     if (frames_wanted_ == 0) return;
@@ -94,18 +101,22 @@ bool Viewer::can_be_drawn(const Scene& scene) {
 Frame Viewer::frame_now(Marks marks) {
     const auto make = [&] {
         const std::shared_ptr<const Surface> surface = surfaces_->get(document_.scene);
-        const Quality quality = marks == Marks::AsSaved            ? Quality::Fine
-                                : gui_.interface.typing_formula()  ? Quality::Sketch
-                                : pointer_.busy() || gui_.moving() ? Quality::Draft
-                                                                   : Quality::Fine;
-        Frame frame = make_frame(shown_scene(), surface,
+        const auto swing = marks == Marks::AsSaved ? std::nullopt : swinging();
+        Scene seen = shown_scene();
+        if (swing) seen.power = swing->naive;
+        const Quality quality = marks == Marks::AsSaved                     ? Quality::Fine
+                                : gui_.interface.typing_formula()           ? Quality::Sketch
+                                : pointer_.busy() || gui_.moving() || swing ? Quality::Draft
+                                                                            : Quality::Fine;
+        Frame frame = make_frame(seen, surface,
                                  {.rect = gui_.interface.picture(host_.framebuffer_size()),
                                   .pixel_scale = scale(),
                                   .hot_axis = pointer_.hot_axis(),
                                   .highlight = gui_.interface.highlighted(),
                                   .handles = marks == Marks::WithHandles,
                                   .quality = quality,
-                                  .level_sets = level_sets_.get(document_.scene, surface->implicit)});
+                                  .level_sets = level_sets_.get(document_.scene, surface->implicit),
+                                  .right_power = swing.value_or(Swing::Powers{}).right});
         lecture().exercises.add_to(frame, document_.scene, scale());
         return frame;
     };
@@ -158,8 +169,9 @@ void Viewer::draw() {
     const bool quick = frame_->quality != Quality::Fine;
     const bool rough = pace_.rough(quick) || (quick && frame_->surface->implicit);
     const auto arrow = exercising() ? std::optional(lecture().exercises.arrow()) : std::nullopt;
-    const Drawn now{host_.framebuffer_size(),     shown_scene(),   frame_->surface, frame_->rect, pointer_.hot_axis(),
-                    gui_.interface.highlighted(), frame_->quality, rough,           arrow};
+    Drawn now{host_.framebuffer_size(),     shown_scene(),   frame_->surface, frame_->rect, pointer_.hot_axis(),
+              gui_.interface.highlighted(), frame_->quality, rough,           -1.0,         arrow};
+    if (const auto swing = swinging()) now.scene.power = swing->naive, now.right_power = swing->right;
     host_.draw({*frame_, drawn_ != now, rough, pace_.coarse(), quick});
     drawn_ = now;
     if (quick) pace_.took(std::chrono::steady_clock::now() - began);
@@ -178,6 +190,7 @@ void Viewer::obey(const Requests& requests) {
         if (const auto ball = surface_ball())
             document_.scene.camera = with_room_for(document_.scene.camera, ball->centre, ball->radius);
     if (requests.step) commit();
+    if (requests.rule) choose(*requests.rule);
     if (requests.undo || requests.redo) undo(requests.redo ? Direction::Redo : Direction::Undo);
     if (requests.full_screen) host_.toggle_full_screen();
     if (requests.end_presenting) present(false);

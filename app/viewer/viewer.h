@@ -12,6 +12,7 @@
 #include "viewer/pace.h"
 #include "viewer/pointer.h"
 #include "viewer/remembered.h"
+#include "viewer/swing.h"
 
 #include <filesystem>
 #include <memory>
@@ -89,6 +90,8 @@ private:
     std::optional<WorldBall> surface_ball() const;
     /// The scene as this room should see it: a projector needs contrast.
     Scene shown_scene() const;
+    /// How the rules' arrows stand, as long as they swing to their place.
+    std::optional<Swing::Powers> swinging() const;
     /// Physical pixels per logical one, as desktop, user and room want it.
     float scale() const;
 
@@ -97,6 +100,8 @@ private:
     bool to_lecture(const KeyPress& key);
     void shortcut(const KeyPress& key);
     void shortcut_with_control(const KeyPress& key);
+    /// By key or button: its arrows swing to where it wants them.
+    void choose(Rule rule);
     void present(bool presenting);
     /// What the user has finished doing becomes one step to undo.
     void commit_if_finished();
@@ -135,6 +140,9 @@ private:
     LevelSetsCache level_sets_;
     ErrorsCache errors_;
 
+    bool motion_ = true;  ///< nothing moves by itself where it is unwanted
+    std::optional<Swing> swing_;
+
     Document document_;
     std::shared_ptr<Origin> origin_before_exercises_;
     std::string title_;
@@ -159,6 +167,7 @@ private:
         std::optional<Highlight> highlight;
         Quality quality = Quality::Fine;
         bool rough = false;
+        double right_power = -1.0;
         std::optional<Vector<World>> arrow;
         friend bool operator==(const Drawn&, const Drawn&) = default;
     };

@@ -7,7 +7,7 @@ import unittest
 from support import CommandTest, close_to
 
 RULES = ["naive", "inverse-transpose", "cofactor"]
-KEYS = ["program", "renderer", "gl_version", "context", "mistake", "M", "affine", "determinant", "rank", "condition", "normal_matrix", "error_degrees", "worst_dot", "surface", "probe"]
+KEYS = ["program", "renderer", "gl_version", "context", "mistake", "power", "M", "affine", "determinant", "rank", "condition", "normal_matrix", "error_degrees", "worst_dot", "surface", "probe"]
 PROBE_KEYS = ["point_object", "point_world", "n_object", "n_world", "tangents_object", "tangents_world", "dots", "f", "gradient"]
 
 
@@ -56,6 +56,28 @@ class NumbersTest(CommandTest):
         self.assertGreater(error["worst"], error["bound"] - 0.5)
         self.assertTrue(0 < error["mean"] < error["worst"])
         close_to(self, [abs(x) for x in error["at"]], [math.cos(math.radians(d)) for d in (45, 45, 90)], 1)
+
+    def test_between_the_two_rules(self):
+        for power, bound in (1, 61.928), (0, 36.870), (-1, 0):
+            numbers = self.numbers("slide-scale", "--set", f"power={power}")
+            self.assertEqual(numbers["power"], power)
+            close_to(self, numbers["normal_matrix"]["naive"], [[0.5**power, 0, 0], [0, 2**power, 0], [0, 0, 1]])
+            close_to(self, numbers["error_degrees"]["bound"], bound, 3)
+            self.assertLessEqual(numbers["error_degrees"]["worst"], bound + 1e-3)
+            off = max(abs(d) for d in numbers["probe"]["dots"]["naive"])
+            (self.assertLess if power == -1 else self.assertGreater)(off, 1e-9)
+        close_to(self, numbers["probe"]["n_world"]["naive"], numbers["probe"]["n_world"]["inverse-transpose"])
+
+    def test_between_the_two_rules_without_an_inverse(self):
+        numbers = self.numbers("flattened", "--set", "power=-0.5", "--set", "rule=naive")
+        self.assertIsNone(numbers["normal_matrix"]["naive"])
+        self.assertIsNone(numbers["probe"]["n_world"]["naive"])
+        self.assertIsNotNone(self.numbers("flattened", "--set", "power=0")["probe"]["n_world"]["naive"])
+
+    def test_another_mistake_is_not_bent(self):
+        numbers = self.numbers("slide-scale", "--set", "power=-1", "--set", "mistake=not-transposed")
+        self.assertEqual(numbers["power"], 1)
+        close_to(self, numbers["error_degrees"]["bound"], 61.928, 3)
 
     def test_the_bound(self):
         close_to(self, self.numbers(*scaled(1, 2, 1))["error_degrees"]["bound"], 36.870, 3)

@@ -50,7 +50,7 @@ TEST_F(RedrawTest, AnEventIsFollowedByAFewFramesOfWhichOnlyWhatChangedIsDrawnAne
     EXPECT_EQ(same.size(), 3u);
     for (const auto& each : same) EXPECT_FALSE(each.anew);
     before = host_.drawn.size();
-    key(ImGuiKey_N);
+    key(ImGuiKey_C);
     const auto changed = drawn_since(before);
     ASSERT_FALSE(changed.empty());
     EXPECT_TRUE(changed.front().anew);

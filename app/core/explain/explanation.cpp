@@ -15,9 +15,10 @@ namespace {
 
 // What the scene has in the naive rule's place, if not that rule itself.
 std::string note_on(const Scene& scene, const Transform<World, Object>& m, const std::optional<Probe>& probe) {
-    const MistakeText mistake = text(scene.mistake);
-    std::string note = "In the naive rule's place the picture shows another mistake, " + std::string(mistake.formula) +
-                       " (" + std::string(mistake.title) + "). " + std::string(mistake.reason);
+    const InNaivePlace shown = in_naive_place(scene);
+    std::string note = "In the naive rule's place the picture shows " +
+                       std::string(scene.mistake == Mistake::Naive ? "" : "another mistake, ") + shown.formula + " (" +
+                       shown.title + "). " + shown.reason;
     const std::optional<NormalMap> map = normal_map(scene, m, Rule::Naive);
     const std::optional<Normal<World>> right = probe ? m(probe->point, probe->normal) : std::nullopt;
     if (!map || !right) return note;
@@ -50,7 +51,7 @@ std::vector<std::string> notes(const Scene& scene, const Transform<World, Object
             "alone is about no more than that.");
     if (!m.affine() && m.rank() < 3)
         result.emplace_back("M has no inverse: it leaves no solid, and planes have no image by (M⁻¹)ᵀ.");
-    if (scene.mistake != Mistake::Naive) result.push_back(note_on(scene, m, probe));
+    if (!plainly_naive(scene)) result.push_back(note_on(scene, m, probe));
     if (m.affine() && matrices.rank == 2)
         result.emplace_back(
             "M₃ has rank 2: it flattens the object to a plane. It has no inverse, so there is no inverse transpose; "

@@ -57,6 +57,7 @@ Json numbers_json(const Scene& scene, const Frame& frame, const std::optional<Dr
     j["gl_version"] = of_drawing(&Drawn::gl_version);
     j["context"] = of_drawing(&Drawn::context);
     j["mistake"] = std::string(name(scene.mistake));  // what stands in the naive rule's place below
+    j["power"] = json_number(shown_power(scene));     // and to which it is bent
     j["M"] = json_rows(m.matrix());
     j["affine"] = m.affine();
     j["determinant"] = json_number(matrices.determinant);
@@ -64,10 +65,12 @@ Json numbers_json(const Scene& scene, const Frame& frame, const std::optional<Dr
     j["condition"] = json_or_null(matrices.condition(), json_number);
     for (const Rule rule : kRules)
         j["normal_matrix"][std::string(name(rule))] =
-            json_or_null(matrices.by(rule), [](const auto& n) { return json_rows(n); });
+            json_or_null(rule == Rule::Naive ? between_the_rules(matrices, shown_power(scene)) : matrices.by(rule),
+                         [](const auto& n) { return json_rows(n); });
     j["error_degrees"]["worst"] = json_or_null(errors, [](const auto& e) { return json_number(e.worst_degrees); });
     j["error_degrees"]["mean"] = json_or_null(errors, [](const auto& e) { return json_number(e.mean_degrees); });
-    j["error_degrees"]["bound"] = json_or_null(m.affine() ? matrices.error_bound_degrees() : std::nullopt, json_number);
+    j["error_degrees"]["bound"] =
+        json_or_null(m.affine() ? matrices.error_bound_degrees(shown_power(scene)) : std::nullopt, json_number);
     j["error_degrees"]["at"] = json_or_null(errors, [](const auto& e) { return json_vector(e.at.xyz); });
     const ByRule<std::optional<NormalMap>> maps{mistaken, normal_map(scene, m, Rule::InverseTranspose),
                                                 normal_map(scene, m, Rule::Cofactor)};

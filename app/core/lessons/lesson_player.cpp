@@ -42,7 +42,7 @@ void LessonPlayer::advance(double seconds, Scene& scene) {
         return;
     }
     way_->seconds += seconds;
-    if (way_->seconds >= kSeconds) return arrive(scene);
+    if (!moves || way_->seconds >= kSeconds) return arrive(scene);
     Scene next = between(way_->from, target(scene), way_->seconds / kSeconds);
     if (next == target(scene)) return arrive(scene);
     scene = way_->shown = std::move(next);

@@ -19,6 +19,8 @@ public:
     /// between them is not, there is no way: it is `to` at once.
     static Scene between(const Scene& from, const Scene& to, double t);
 
+    bool moves = true;  ///< false: a step is reached at once
+
     /// From the scene as it is to a step of the lesson.
     void start(std::shared_ptr<const Lesson> lesson, std::size_t step, const Scene& scene);
     void stop() { lesson_.reset(), way_.reset(); }

@@ -31,9 +31,7 @@ SceneSaid said_of(const Scene& scene) {
                                    "is right.";
     SceneSaid said{scene.about.empty() ? of_m : scene.about, {}};
     switch (scene.rule) {
-        case Rule::Naive:
-            said.equations.push_back("n_naive = " + std::string(normal_formula(Rule::Naive, scene.mistake)));
-            break;
+        case Rule::Naive: said.equations.push_back("n_naive = " + normal_formula(Rule::Naive, scene)); break;
         case Rule::InverseTranspose: said.equations.emplace_back("n_world = (M₃⁻¹)ᵀ n_obj"); break;
         case Rule::Cofactor: said.equations.emplace_back("n_world = cof(M₃) n_obj"); break;
     }

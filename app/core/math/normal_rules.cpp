@@ -123,10 +123,9 @@ std::optional<double> NormalMatrices::condition() const {
     return sigma.x / sigma.z;
 }
 
-std::optional<double> NormalMatrices::error_bound_degrees() const {
+std::optional<double> NormalMatrices::error_bound_degrees(double power) const {
     const std::optional<double> k = condition();
-    if (!k) return std::nullopt;
-    return glm::degrees(std::atan(*k) - std::atan(1.0 / *k));
+    return k ? std::optional(normalscope::error_bound_degrees(*k, power)) : std::nullopt;
 }
 
 std::optional<glm::dmat3> NormalMatrices::by(Rule rule) const {
@@ -155,6 +154,22 @@ NormalMatrices normal_matrices(const glm::dmat3& m3, int rank_at_most) {
     if (result.rank < 2) result.cofactor = glm::dmat3(0.0);
     if (result.rank == 3) result.inverse_transpose = result.cofactor / result.determinant;
     return result;
+}
+
+std::optional<glm::dmat3> between_the_rules(const NormalMatrices& matrices, double power) {
+    if (power == 1.0) return matrices.naive;
+    if (power == -1.0) return matrices.inverse_transpose;
+    if (power < 0.0 && matrices.rank < 3) return std::nullopt;
+    SingularValues svd = singular_values(matrices.naive);
+    for (int k = 0; k < 3; ++k) svd.u[k] *= k < matrices.rank ? std::pow(svd.sigma[k], power) : 0.0;
+    return svd.u * glm::transpose(svd.v);
+}
+
+// With q = (p+1)/2 and z = Σ^((p−1)/2) Vᵀ n the two images are U Σ^q z and U Σ^(−q) z: Kantorovich's inequality again, for
+// the stretches σ^q. The worst z is halfway between the axes of the largest and the smallest.
+double error_bound_degrees(double k, double power) {
+    const double bent = std::pow(k, (power + 1.0) / 2.0);
+    return glm::degrees(std::atan(bent) - std::atan(1.0 / bent));
 }
 
 std::optional<double> angle_degrees(const glm::dvec3& a, const glm::dvec3& b) {

@@ -49,8 +49,8 @@ struct NormalMatrices {
     std::optional<double> condition() const;
     /// The largest angle in degrees that any normal's naive image can be off: atan k − atan 1/k with k = σmax/σmin.
     /// From Kantorovich's inequality cos ≥ 2 σmax σmin / (σmax² + σmin²), which is attained halfway between the
-    /// two stretch axes. Empty where M3 has no inverse.
-    std::optional<double> error_bound_degrees() const;
+    /// two stretch axes. Empty where M3 has no inverse. The same of between_the_rules for another `power`.
+    std::optional<double> error_bound_degrees(double power = 1.0) const;
     /// The matrix of `rule`; empty where it does not exist.
     std::optional<glm::dmat3> by(Rule rule) const;
 };
@@ -58,6 +58,16 @@ struct NormalMatrices {
 /// `rank_at_most`: what is known from elsewhere, as of a product one of whose factors is singular. Rounding may leave
 /// such a product with a tiny third singular value, and its inverse would be noise.
 NormalMatrices normal_matrices(const glm::dmat3& m3, int rank_at_most = 3);
+
+/// With M3 = U Σ Vᵀ the matrix U Σᵖ Vᵀ: M3 itself at p = 1, the rotation in it at 0, (M3⁻¹)ᵀ at −1, and a way from the
+/// naive rule to the right one in between. A factor of 0 stays 0 as long as p ≥ 0; below that there is no such matrix, and
+/// the result is empty.
+std::optional<glm::dmat3> between_the_rules(const NormalMatrices& matrices, double power);
+
+/// The largest angle in degrees between U Σᵖ Vᵀ n and (M3⁻¹)ᵀ n of any n: atan k^((p+1)/2) − atan k^(−(p+1)/2), with k the
+/// ratio of the largest singular value to the smallest. For p = 1 that is atan k − atan 1/k; it is 0 at p = −1 alone,
+/// unless k is 1.
+double error_bound_degrees(double k, double power = 1.0);
 
 /// The largest of the entries' absolute values.
 double largest_entry(const glm::dmat3& m);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSameFactor = 1e-9;  // relative: two factors this close leave their axes to chance
 
-// An axis has no front: turn its largest component positive, so that it does not jump about as M changes.
+// Turns a vector's largest component positive.
 double facing(const glm::dvec3& v) {
     const glm::dvec3 a = glm::abs(v);
     const int largest = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
@@ -46,32 +46,47 @@ void axis_and_angle(const glm::dmat3& r, glm::dvec3& axis, double& degrees) {
     if (degrees > 180.0 - 1e-9) axis *= facing(axis);
 }
 
-WorstNormal worst_normal(const SingularValues& svd, double degrees) {
-    // With n = V y, the cosine between M n = U Σ y and N n = U Σ⁻¹ y is y·y / (|Σ y| |Σ⁻¹ y|). By Kantorovich's inequality
-    // it is at least 2 σmax σmin / (σmax² + σmin²), and y = (1, 0, ±1)/√2 attains it: there the images are
-    // (σmax, 0, ±σmin) and (1/σmax, 0, ±1/σmin), at atan 1/k and atan k from u1.
+WorstNormal worst_normal(const SingularValues& svd, double power, double degrees) {
+    // With n = V y and z = Σ^((p−1)/2) y, the images U Σᵖ y and U Σ⁻¹ y are U Σ^q z and U Σ^(−q) z, where q = (p+1)/2. The
+    // cosine between them is z·z / (|Σ^q z| |Σ^(−q) z|). By Kantorovich's inequality it is at least 2 a c / (a² + c²) with
+    // a = σmax^q and c = σmin^q, and z = (1, 0, ±1)/√2 attains it: there the images are (a, 0, ±c) and (1/a, 0, ±1/c). For
+    // M3 itself y is z, halfway between the two axes.
+    const double q = (power + 1.0) / 2.0, a = std::pow(svd.sigma.x, q), c = std::pow(svd.sigma.z, q),
+                 from_a = std::pow(svd.sigma.x, 1.0 - q), from_c = std::pow(svd.sigma.z, 1.0 - q);
     WorstNormal result;
     result.degrees = degrees;
     for (const std::size_t i : {0U, 1U}) {
         const double side = i == 0 ? 1.0 : -1.0;
-        result.object[i] = {glm::normalize(svd.v[0] + side * svd.v[2])};
-        result.naive[i] = {glm::normalize(svd.sigma.x * svd.u[0] + side * svd.sigma.z * svd.u[2])};
-        result.right[i] = {glm::normalize(svd.sigma.z * svd.u[0] + side * svd.sigma.x * svd.u[2])};
+        result.object[i] = {glm::normalize(from_a * svd.v[0] + side * from_c * svd.v[2])};
+        result.naive[i] = {glm::normalize(a * svd.u[0] + side * c * svd.u[2])};
+        result.right[i] = {glm::normalize(c * svd.u[0] + side * a * svd.u[2])};
     }
     return result;
 }
 
-}  // namespace
-
-Decomposition decomposition(const glm::dmat3& m3, int rank_at_most) {
-    const NormalMatrices matrices = normal_matrices(m3, rank_at_most);
-    SingularValues svd = singular_values(m3);
+// An axis has no front: each is turned one way, so that it does not jump about as M changes.
+SingularValues steady_singular_values(const NormalMatrices& matrices) {
+    SingularValues svd = singular_values(matrices.naive);
     svd.sigma = matrices.sigma;  // exactly 0 beyond the rank
     for (int k = 0; k < 3; ++k) {
         const double sign = facing(svd.v[k]);
         svd.v[k] *= sign;
         svd.u[k] *= sign;
     }
+    return svd;
+}
+
+}  // namespace
+
+std::optional<WorstNormal> worst_normal(const NormalMatrices& matrices, double power) {
+    const auto degrees = matrices.error_bound_degrees(power);
+    if (!degrees) return std::nullopt;
+    return worst_normal(steady_singular_values(matrices), power, *degrees);
+}
+
+Decomposition decomposition(const glm::dmat3& m3, int rank_at_most) {
+    const NormalMatrices matrices = normal_matrices(m3, rank_at_most);
+    SingularValues svd = steady_singular_values(matrices);
     // Where σ is 0, u may as well point the other way: then there need be no reflection.
     const double turns = glm::determinant(svd.u) * glm::determinant(svd.v);
     if (matrices.rank < 3 && turns < 0.0) svd.u[2] = -svd.u[2];
@@ -101,7 +116,7 @@ Decomposition decomposition(const glm::dmat3& m3, int rank_at_most) {
             if (other != k && std::abs(svd.sigma[k] - svd.sigma[other]) <= kSameFactor * svd.sigma.x)
                 axis.unique = false;
     }
-    if (matrices.rank == 3) result.worst = worst_normal(svd, *matrices.error_bound_degrees());
+    if (matrices.rank == 3) result.worst = worst_normal(svd, 1.0, *matrices.error_bound_degrees());
     return result;
 }
 

@@ -19,12 +19,12 @@ struct StretchAxis {
     bool unique = true;  ///< false where another axis has the same factor: any direction between the two would do
 };
 
-/// The normals that the naive rule treats worst.
+/// The normals that the naive rule treats worst, or U Σᵖ Vᵀ in its place (between_the_rules).
 struct WorstNormal {
     std::array<Normal<Object>, 2>
-        object;  ///< halfway between the axes of the largest and the smallest factor, either side
+        object;  ///< between the axes of the largest and the smallest factor, either side: halfway for M3
     std::array<Normal<World>, 2> naive, right;  ///< of unit length
-    double degrees = 0.0;                       ///< between them: the closed form, NormalMatrices::error_bound_degrees
+    double degrees = 0.0;                       ///< between them: the closed form, error_bound_degrees
 };
 
 /// M3 = R S: first the stretch S along three perpendicular axes, then the rotation R, which may also reflect. The right
@@ -44,5 +44,8 @@ struct Decomposition {
 
 /// `rank_at_most` as in normal_matrices.
 Decomposition decomposition(const glm::dmat3& m3, int rank_at_most = 3);
+
+/// Empty where M3 has no inverse.
+std::optional<WorstNormal> worst_normal(const NormalMatrices& matrices, double power);
 
 }  // namespace normalscope

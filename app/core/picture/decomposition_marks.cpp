@@ -56,11 +56,12 @@ void add_decomposition_marks(Pane& pane, const Scene& scene, const Mesh& mesh, c
         add_label(pane, origin + 1.08 * end, text, theme_colors(scene.theme).text);
     }
 
-    if (!any.affine() || !parts.worst || parts.worst->degrees < 1e-6 || mesh.normals.empty()) return;
-    const std::size_t vertex = nearest_normal(mesh, *parts.worst);
+    const std::optional<WorstNormal> worst = worst_normal(matrices, shown_power(scene));
+    if (!any.affine() || !worst || worst->degrees < 1e-6 || mesh.normals.empty()) return;
+    const std::size_t vertex = nearest_normal(mesh, *worst);
     const Normal<Object> n{mesh.normals[vertex]};
     const auto right = world_from_object(n);
-    const Normal<World> naive = transform_normal_naively(world_from_object, n);
+    const Normal<World> naive{*between_the_rules(matrices, shown_power(scene)) * n.xyz};
     if (!right || !angle_degrees(naive.xyz, right->xyz)) return;
     const glm::dvec3 base = world_from_object(Point<Object>{mesh.positions[vertex]}).xyz;
     const glm::dvec3 u = glm::normalize(naive.xyz), v = glm::normalize(right->xyz);

@@ -18,7 +18,8 @@ struct FrameOptions {
     Quality quality = Quality::Fine;
     /// The scene's (LevelSetsCache); null: they are made anew.
     std::shared_ptr<const LevelSets> level_sets{};
-    double unit = 1.0;  ///< as Frame::unit; make_frame finds it
+    double right_power = -1.0;  ///< of the inverse transpose's arrows and light, as of normal_map
+    double unit = 1.0;          ///< as Frame::unit; make_frame finds it
 };
 
 }  // namespace normalscope

@@ -62,17 +62,24 @@ std::vector<Pane> empty_panes(const Scene& scene, const PixelRect& rect) {
     return panes;
 }
 
-void add_surfaces(Pane& pane, const Scene& scene, const Surface& surface, const WorldFromObject& m, bool ghost,
-                  Quality quality, bool sliced) {
+/// What a picture's surfaces are drawn with besides the scene.
+struct SurfaceOptions {
+    bool ghost, sliced;
+    Quality quality;
+    double right_power;
+};
+
+void add_surfaces(Pane& pane, const Scene& scene, const Surface& surface, const WorldFromObject& m,
+                  const SurfaceOptions& options) {
     const ThemeColors colors = theme_colors(scene.theme);
     SurfaceDraw object;
     object.world_from_object = drawable(m.matrix());
     // What would hide a slice is of glass.
-    object.color = glm::vec4(colors.surface, sliced ? 0.5f : 1.0f);
+    object.color = glm::vec4(colors.surface, options.sliced ? 0.5f : 1.0f);
     const bool traced = surface.implicit && surface.implicit->region();
     // Where M is not affine a ray may come back from infinity in object space: then its mesh is drawn.
     if (const auto back = m.inverse(); back && traced && m.affine()) object.traced_object_from_world = back->matrix();
-    if (const auto map = normal_map(scene, m, pane.rule)) object.normals = scaled_for_floats(*map);
+    if (const auto map = normal_map(scene, m, pane.rule, options.right_power)) object.normals = scaled_for_floats(*map);
     if (scene.cull)
         object.cull = SurfaceDraw::Cull::PictureBacks;
     else if (surface.mesh.closed && m.rank() == 3)
@@ -87,9 +94,9 @@ void add_surfaces(Pane& pane, const Scene& scene, const Surface& surface, const 
     object.inside_color = m.rank() < 3 ? colors.surface : colors.inside;
     object.shows = scene.color;
     pane.surfaces.push_back(object);
-    if (!ghost) return;
+    if (!options.ghost) return;
     SurfaceDraw shell;
-    if (traced && quality == Quality::Fine) shell.traced_object_from_world = glm::dmat4(1.0);
+    if (traced && options.quality == Quality::Fine) shell.traced_object_from_world = glm::dmat4(1.0);
     shell.cull = SurfaceDraw::Cull::Inside;
     shell.normals = NormalMap{};
     shell.color = glm::vec4(colors.ghost, 0.55f);
@@ -97,19 +104,36 @@ void add_surfaces(Pane& pane, const Scene& scene, const Surface& surface, const 
     pane.surfaces.push_back(shell);
 }
 
-void add_arrows(Pane& pane, const Scene& scene, const WorldFromObject& m, double unit) {
+// Whether the naive rule's arrows, or whatever stands in its place, lie in the right ones.
+bool coincide(const Scene& scene, const WorldFromObject& m, double right_power) {
+    const auto a = normal_map(scene, m, Rule::Naive), b = normal_map(scene, m, Rule::InverseTranspose, right_power);
+    if (!a || !b || a->w != 0.0) return false;
+    const double la = largest_entry(glm::dmat3(a->matrix)), lb = largest_entry(glm::dmat3(b->matrix));
+    return la > 0.0 && lb > 0.0 && largest_entry(glm::dmat3(a->matrix) / la - glm::dmat3(b->matrix) / lb) < 1e-9;
+}
+
+void add_arrows(Pane& pane, const Scene& scene, const WorldFromObject& m, const FrameOptions& options) {
+    const std::vector<ArrowKind> kinds = drawn_arrows(scene, m, pane.rule);
+    // Of two that lie in one place both are seen: the dashes go around the other's shaft.
+    const bool around =
+        std::ranges::count(kinds, ArrowKind::InverseTranspose) > 0 && coincide(scene, m, options.right_power);
+    const auto widened = [&](ArrowKind kind) {
+        return kind == ArrowKind::Object            ? ArrowProportions::kOfObject
+               : kind == ArrowKind::Naive && around ? ArrowProportions::kAround
+                                                    : 1.0f;
+    };
     const auto draw = [&](const glm::dmat4& points, const NormalMap& normals, ArrowKind kind) {
-        const float scale = kind == ArrowKind::Object ? 1.0f : static_cast<float>(unit);
+        const float scale = kind == ArrowKind::Object ? 1.0f : static_cast<float>(options.unit);
         const float of_unit = static_cast<float>(2.0 * scene.arrows.length);  // in diameters of the unit ball
         const float length = scale * of_unit, radius = scale * std::clamp(0.042f * of_unit, 0.003f, 0.025f);
         pane.arrows.push_back({drawable(points), scaled_for_floats(normals), arrow_color(kind, scene.theme), length,
-                               kind == ArrowKind::Object ? ArrowProportions::kOfObject * radius : radius,
-                               arrow_look(kind)});
+                               widened(kind) * radius, arrow_look(kind)});
     };
-    for (const ArrowKind kind : drawn_arrows(scene, m, pane.rule)) {
+    for (const ArrowKind kind : kinds) {
         if (kind == ArrowKind::Object) {
             if (scene.show.ghost) draw(glm::dmat4(1.0), {}, kind);
-        } else if (const auto map = normal_map(scene, m, kRules[static_cast<std::size_t>(kind) - 1])) {
+        } else if (const auto map =
+                       normal_map(scene, m, kRules[static_cast<std::size_t>(kind) - 1], options.right_power)) {
             draw(m.matrix(), *map, kind);
         }
     }
@@ -186,11 +210,10 @@ float ground_height(const Mesh& mesh, const WorldFromObject& m, bool ghost, doub
 
 void add_legend(Frame& frame, const Scene& scene, const WorldFromObject& m) {
     const NormalMatrices& matrices = m.normal_matrices_by_rule();
-    const MistakeText in_place = normalscope::text(scene.mistake);
+    const InNaivePlace in_place = in_naive_place(scene);
     if (scene.color == SurfaceColor::Error && frame.error_maps)
-        frame.color_key = {SurfaceColor::Error, scene.mistake == Mistake::Naive
-                                                    ? "naive rule’s error"
-                                                    : "error: " + std::string(in_place.title)};
+        frame.color_key = {SurfaceColor::Error,
+                           plainly_naive(scene) ? "naive rule’s error" : "error: " + in_place.title};
     else if (scene.color == SurfaceColor::Normals)
         frame.color_key = {SurfaceColor::Normals, "normals: n·½ + ½ as red, green, blue"};
     for (const ArrowKind kind : kArrowKinds) {
@@ -205,11 +228,10 @@ void add_legend(Frame& frame, const Scene& scene, const WorldFromObject& m) {
         std::string text = "n of the object";
         if (kind != ArrowKind::Object) {
             const Rule rule = kRules[static_cast<std::size_t>(kind) - 1];
-            const MistakeText mistake = normalscope::text(scene.mistake);
-            const ByRule<std::string_view> titles{mistake.title, "inverse transpose", "cofactor"};
-            text =
-                std::string(titles[rule]) + "  " + std::string(rule == Rule::Naive ? mistake.formula : formula(rule));
-            if (!matrices.by(rule))
+            const ByRule<std::string_view> titles{in_place.title, "inverse transpose", "cofactor"};
+            text = std::string(titles[rule]) + "  " +
+                   (rule == Rule::Naive ? in_place.formula : std::string(formula(rule)));
+            if (!matrices.by(rule) || (rule == Rule::Naive && !between_the_rules(matrices, shown_power(scene))))
                 text += "  does not exist";
             else if (rule == Rule::Cofactor && matrices.rank < 2)
                 text += "  is zero";
@@ -225,14 +247,12 @@ void add_legend(Frame& frame, const Scene& scene, const WorldFromObject& m) {
 
 // What gives the normals of this half.
 void add_title(Pane& pane, const Scene& scene) {
-    const MistakeText mistake = normalscope::text(scene.mistake);
-    const bool other = scene.mistake != Mistake::Naive;
-    const ByRule<std::string_view> titles{other ? mistake.title : "Naive", "Inverse transpose", "Cofactor"};
-    pane.labels.push_back({Label::Role::Title,
-                           glm::vec2(pane.rect.origin) + glm::vec2(0.5f * static_cast<float>(pane.rect.size.x), 0.0f),
-                           std::string(titles[pane.rule]) + "   " +
-                               std::string(pane.rule == Rule::Naive ? mistake.formula : formula(pane.rule)),
-                           rule_color(pane.rule)});
+    const InNaivePlace in_place = in_naive_place(scene);
+    const ByRule<std::string> titles{plainly_naive(scene) ? "Naive" : in_place.title, "Inverse transpose", "Cofactor"};
+    pane.labels.push_back(
+        {Label::Role::Title, glm::vec2(pane.rect.origin) + glm::vec2(0.5f * static_cast<float>(pane.rect.size.x), 0.0f),
+         titles[pane.rule] + "   " + (pane.rule == Rule::Naive ? in_place.formula : std::string(formula(pane.rule))),
+         rule_color(pane.rule)});
 }
 
 }  // namespace
@@ -275,16 +295,16 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     else
         probe = probe_in_view(*frame.surface, m, view, 0.5 * glm::dvec2(frame.panes.front().rect.size), scene.borrow);
     if (probe && !m.reaches(probe->point)) probe.reset();
-    if (probe) frame.probe = in_world(*probe, m, scene);
+    if (probe) frame.probe = in_world(*probe, m, scene, options.right_power);
     if (probe && probe->singular) frame.singular = singular_point(*frame.surface->implicit, probe->point, scene.borrow);
     if (scene.ray) frame.ray = ray_steps(scene, *frame.surface, m, view);
 
     const std::shared_ptr<const LevelSets> slice =
         options.level_sets ? options.level_sets : level_sets(scene, frame.surface->implicit.get());
     for (Pane& pane : frame.panes) {
-        add_surfaces(pane, scene, *frame.surface, m, ghost, options.quality, slice != nullptr);
+        add_surfaces(pane, scene, *frame.surface, m, {ghost, slice != nullptr, options.quality, options.right_power});
         if (slice) add_slice(pane, scene, *slice, m, ghost, options);
-        add_arrows(pane, scene, m, options.unit);
+        add_arrows(pane, scene, m, options);
         if (scene.show.axes) add_axes(pane, scene, frame.surface->extent, options);
         if (frame.probe) add_probe_marks(pane, scene, *frame.probe, drawn_arrows(scene, m, pane.rule), options);
         if (frame.singular) add_singular_marks(pane, scene, *frame.singular, m, options);

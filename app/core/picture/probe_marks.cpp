@@ -171,7 +171,10 @@ private:
         // Where the cofactor agrees with the inverse transpose, let it stand inside as a shorter, thicker arrow.
         const bool hidden =
             rule == Rule::Cofactor && correct_ && glm::dot(*correct_, n) > 0.0 && parallel(*correct_, n);
-        add_arrow(pane_.solids, centre_, (hidden ? 0.7 : 1.0) * length_ * n, (hidden ? 1.35 : 1.0) * radius_, color,
+        // And where the naive rule's does, its dashes go around the other's shaft.
+        const bool around = rule == Rule::Naive && correct_ && glm::dot(*correct_, n) > 0.0 && parallel(*correct_, n);
+        const double wide = hidden ? 1.35 : around ? ArrowProportions::kAround : 1.0;
+        add_arrow(pane_.solids, centre_, (hidden ? 0.7 : 1.0) * length_ * n, wide * radius_, color,
                   arrow_look(arrow_kind(rule)), paper_);
         if (!scene_.show.tangent_plane || !plane_) return;
         // A right angle gets its square; any other gets an arc down to the plane, on the side to which the arrow leans, or

@@ -16,6 +16,7 @@ struct ArrowProportions {
     static constexpr float kHeadRadius = 2.6f;
     static constexpr float kHeadLength = 6.5f;
     static constexpr float kLongestHead = 0.5f;
+    static constexpr float kAround = 1.2f;        ///< dashes around an arrow that lies in the same place
     static constexpr float kOfObject = 0.65f;     ///< normals in object space are thinner: a shape of their own
     static constexpr float kToSecondHead = 0.9f;  ///< in heads, from tip to tip
     static constexpr int kDashes = 3;             ///< with gaps as long as they are

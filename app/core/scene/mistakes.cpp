@@ -1,6 +1,9 @@
 #include "core/scene/mistakes.h"
 
+#include "core/base/decimal.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace normalscope {
 
@@ -39,7 +42,7 @@ std::optional<NormalMap> mistaken_map(const Scene& scene, const Transform<World,
         return n ? std::optional(NormalMap{.matrix = glm::dmat4(*n)}) : std::nullopt;
     };
     switch (scene.mistake) {
-        case Mistake::Naive:
+        case Mistake::Naive: return linear(between_the_rules(matrices, scene.power));
         case Mistake::ModelView:
         case Mistake::ZeroNormal: return linear(matrices.naive);
         case Mistake::InversesNotReversed: return linear(inverses_not_reversed(applied_stack(scene)));
@@ -65,12 +68,16 @@ std::optional<NormalMap> mistaken_map(const Scene& scene, const Transform<World,
 
 }  // namespace
 
-std::optional<NormalMap> normal_map(const Scene& scene, const Transform<World, Object>& world_from_object, Rule rule) {
+std::optional<NormalMap> normal_map(const Scene& scene, const Transform<World, Object>& world_from_object, Rule rule,
+                                    double right_power) {
     const NormalMatrices& matrices = world_from_object.normal_matrices_by_rule();
     std::optional<NormalMap> map;
     if (rule == Rule::Naive)
         map = mistaken_map(scene, world_from_object);
-    else if (const auto n = matrices.by(rule); n && (rule != Rule::Cofactor || matrices.rank >= 2))
+    else if (const auto n = rule == Rule::InverseTranspose && matrices.rank == 3
+                                ? between_the_rules(matrices, right_power)
+                                : matrices.by(rule);
+             n && (rule != Rule::Cofactor || matrices.rank >= 2))
         map = NormalMap{.matrix = glm::dmat4(*n)};
     if (map && map->at_pixels && !scene.renormalise) {
         map->at_pixels = false;
@@ -129,10 +136,23 @@ MistakeText text(Mistake mistake) {
     return {};
 }
 
-std::string_view normal_formula(Rule rule, Mistake mistake) {
-    if (rule != Rule::Naive) return formula(rule);
-    if (about_tangents(mistake) || mistake == Mistake::NoRenormalisation) return formula(Rule::InverseTranspose);
-    return text(mistake).formula;
+InNaivePlace in_naive_place(const Scene& scene) {
+    const MistakeText mistake = text(scene.mistake);
+    const double p = shown_power(scene);
+    if (p == 1.0) return {std::string(mistake.title), std::string(mistake.formula), std::string(mistake.reason)};
+    const std::string reason =
+        "M₃ = R S is a stretch S, then a rotation R. With the stretch to the power p, R Sᵖ is the naive rule at p = 1, "
+        "the rotation alone at 0, and the inverse transpose at −1.";
+    if (p == 0.0) return {"rotation only", "R n", reason};
+    const std::string number = (p < 0.0 ? "−" : "") + with_decimals(std::abs(p), 2);
+    return {"p = " + number, p == -1.0 ? "R S⁻¹ n" : "R Sᵖ n", reason};
+}
+
+std::string normal_formula(Rule rule, const Scene& scene) {
+    if (rule != Rule::Naive) return std::string(formula(rule));
+    if (about_tangents(scene.mistake) || scene.mistake == Mistake::NoRenormalisation)
+        return std::string(formula(Rule::InverseTranspose));
+    return in_naive_place(scene).formula;
 }
 
 }  // namespace normalscope

@@ -125,6 +125,8 @@ struct Scene {
     std::optional<double> stack_position;
     Rule rule = Rule::InverseTranspose;
     Mistake mistake = Mistake::Naive;
+    /// What the naive rule itself is bent to, where it stands in its own place: U Σᵖ Vᵀ n (between_the_rules), −1 … 1.
+    double power = 1.0;
     ViewMode view = ViewMode::Overlay;
     Arrows arrows;
     Camera camera;
@@ -145,6 +147,9 @@ struct Scene {
 
     friend bool operator==(const Scene&, const Scene&) = default;
 };
+
+/// The power to which the rule in the naive one's place takes M3's stretch: 1 where that is another mistake.
+constexpr double shown_power(const Scene& scene) { return scene.mistake == Mistake::Naive ? scene.power : 1.0; }
 
 /// The arrows that a view shows for the rule that shades it: the scene's own choice, or the default one.
 std::vector<ArrowKind> shown_arrows(const Scene& scene, Rule pane_rule);

@@ -79,6 +79,7 @@ Scene blend(const Scene& from, const Scene& to, double t) {
     scene.camera.target.xyz = glm::mix(from.camera.target.xyz, to.camera.target.xyz, t);
     scene.light.azimuth = mixed_azimuth(from.light.azimuth, to.light.azimuth, t);
     scene.light.elevation = mixed(from.light.elevation, to.light.elevation, t);
+    scene.power = mixed(from.power, to.power, t);
     scene.arrows.length = mixed(from.arrows.length, to.arrows.length, t);
     // The same formula with other parameters: the surface itself moves.
     const auto *old_formula = std::get_if<FormulaSurface>(&from.surface),

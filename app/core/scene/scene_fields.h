@@ -166,6 +166,7 @@ void fields(F& f, S& s) {
     f("stack_position", s.stack_position, Range{0, kMostStackEntries});
     f("rule", s.rule);
     f("mistake", s.mistake);
+    f("power", s.power, Range{-1, 1});
     f("view", s.view);
     f("arrows", s.arrows);
     f("camera", s.camera);

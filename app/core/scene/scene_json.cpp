@@ -298,7 +298,9 @@ Scene parse_scene(std::string_view text, const std::string& source) {
 }
 
 bool same_subject(const Scene& a, const Scene& b) {
-    const auto subject = [](const Scene& s) { return std::tie(s.surface, s.stack, s.stack_position, s.mistake); };
+    const auto subject = [](const Scene& s) {
+        return std::tie(s.surface, s.stack, s.stack_position, s.mistake, s.power);
+    };
     return subject(a) == subject(b);
 }
 

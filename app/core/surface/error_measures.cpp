@@ -26,6 +26,16 @@ std::vector<glm::dvec3> directions(std::size_t count) {
     return result;
 }
 
+double worst_error(const NormalMatrices& matrices, double power) {
+    static const std::vector<glm::dvec3> kDirections = directions(500);
+    const auto shown = between_the_rules(matrices, power);
+    double worst = 0.0;
+    if (shown && matrices.inverse_transpose)
+        for (const glm::dvec3& n : kDirections)
+            worst = std::max(worst, angle_degrees(*shown * n, *matrices.inverse_transpose * n).value_or(0.0));
+    return worst;
+}
+
 }  // namespace
 
 std::optional<ErrorHistogram> error_histogram(const Mesh& mesh, const NormalMap& naive,
@@ -56,8 +66,7 @@ std::optional<ErrorHistogram> error_histogram(const Mesh& mesh, const NormalMap&
     return histogram;
 }
 
-std::vector<MeasuredError> measured_errors(const glm::dmat3& m3) {
-    static const std::vector<glm::dvec3> kDirections = directions(500);
+std::vector<MeasuredError> measured_errors(const glm::dmat3& m3, double power) {
     constexpr int kSteps = 12;
     const SingularValues svd = singular_values(m3);
     glm::dvec3 logs(1.0, 0.0, -1.0);
@@ -70,14 +79,20 @@ std::vector<MeasuredError> measured_errors(const glm::dmat3& m3) {
         const glm::dvec3 sigma = glm::exp(t * logs);
         const glm::dmat3 stretch(svd.v[0] * sigma.x, svd.v[1] * sigma.y, svd.v[2] * sigma.z);
         const NormalMatrices matrices = normal_matrices(svd.u * glm::transpose(stretch));
-        MeasuredError measured{.k = std::exp(t)};
-        for (const glm::dvec3& n : kDirections)
-            measured.degrees = std::max(measured.degrees, error_degrees(matrices, {n}).value_or(0.0));
-        result.push_back(measured);
+        result.push_back({std::exp(t), power, worst_error(matrices, power)});
     }
     return result;
 }
 
-double error_bound_degrees(double k) { return glm::degrees(std::atan(k) - std::atan(1.0 / k)); }
+std::vector<MeasuredError> measured_between_the_rules(const NormalMatrices& matrices) {
+    constexpr int kSteps = 8;
+    std::vector<MeasuredError> result;
+    const std::optional<double> k = matrices.condition();
+    for (int i = 0; k && i <= kSteps; ++i) {
+        const double power = 1.0 - 2.0 * i / kSteps;
+        result.push_back({*k, power, worst_error(matrices, power)});
+    }
+    return result;
+}
 
 }  // namespace normalscope

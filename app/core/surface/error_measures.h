@@ -25,14 +25,14 @@ std::optional<ErrorHistogram> error_histogram(const Mesh& mesh, const NormalMap&
 
 struct MeasuredError {
     double k = 1.0;        ///< σmax/σmin
+    double power = 1.0;    ///< as in between_the_rules
     double degrees = 0.0;  ///< the worst that was met
 };
-/// The naive rule's worst error over directions all around, for M3 with its stretch made smaller and larger along the
-/// same axes: k from 1 to 100. From M3 = U Σ Vᵀ: the maps U Σᵗ Vᵀ; where M3 stretches evenly or not at all, some
-/// uneven stretch takes Σ's place.
-std::vector<MeasuredError> measured_errors(const glm::dmat3& m3);
-
-/// The closed form that they should meet: atan k − atan 1/k.
-double error_bound_degrees(double k);
+/// The naive rule's worst error over directions all around, or that of between_the_rules in its place, for M3 with its
+/// stretch made smaller and larger along the same axes: k from 1 to 100. From M3 = U Σ Vᵀ: the maps U Σᵗ Vᵀ; where M3
+/// stretches evenly or not at all, some uneven stretch takes Σ's place.
+std::vector<MeasuredError> measured_errors(const glm::dmat3& m3, double power = 1.0);
+/// The same for M3 as it is, with powers from 1 to −1. Empty where M3 has no inverse.
+std::vector<MeasuredError> measured_between_the_rules(const NormalMatrices& matrices);
 
 }  // namespace normalscope

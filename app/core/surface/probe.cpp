@@ -82,7 +82,8 @@ ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& world_
     return in_world(probe, world_from_object, Scene{});
 }
 
-ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& world_from_object, const Scene& scene) {
+ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& world_from_object, const Scene& scene,
+                      double right_power) {
     ProbeInWorld result;
     result.object = probe;
     result.point = world_from_object(probe.point);
@@ -94,8 +95,9 @@ ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& world_
     }
     for (std::size_t r = 0; r < kRules.size() && probe.has_normal(); ++r) {
         std::optional<Normal<World>> n = transform_normal(world_from_object, probe.normal, kRules[r]);
-        if (kRules[r] == Rule::Naive && scene.mistake != Mistake::Naive) {
-            const std::optional<NormalMap> map = normal_map(scene, world_from_object, Rule::Naive);
+        const bool bent = kRules[r] == Rule::InverseTranspose && right_power != -1.0;
+        if (bent || (kRules[r] == Rule::Naive && !plainly_naive(scene))) {
+            const std::optional<NormalMap> map = normal_map(scene, world_from_object, kRules[r], right_power);
             n = map ? std::optional((*map)(probe.normal)) : std::nullopt;
         }
         result.normals[r] = n;

@@ -46,8 +46,9 @@ struct ProbeInWorld {
 };
 
 ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& world_from_object);
-/// The same as the scene has it, with its mistake in the naive rule's place.
-ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& world_from_object, const Scene& scene);
+/// The same as the scene has it, with what stands in the naive rule's place; `right_power` as of normal_map.
+ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& world_from_object, const Scene& scene,
+                      double right_power = -1.0);
 
 struct SurfaceHit {
     Probe probe;

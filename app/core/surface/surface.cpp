@@ -110,37 +110,51 @@ std::optional<double> error_degrees(const NormalMatrices& matrices, Normal<Objec
     return angle_degrees(matrices.naive * n.xyz, *matrices.inverse_transpose * n.xyz);
 }
 
-std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMatrices& matrices) {
-    if (!matrices.inverse_transpose) return std::nullopt;
-    const glm::dmat3 &naive = matrices.naive, &inverse_transpose = *matrices.inverse_transpose;
-    double sum = 0.0, worst_tangent2 = -1.0;
+namespace {
+
+// Of a 3×3 matrix, where M is affine and has an inverse.
+std::optional<ErrorStatistics> linear_error_statistics(const Mesh& mesh, const glm::dmat3& shown,
+                                                       const NormalMatrices& matrices) {
+    const glm::dmat3& inverse_transpose = *matrices.inverse_transpose;
+    const bool naive = shown == matrices.naive;
+    double sum = 0.0, worst_angle = -1.0;
     std::size_t count = 0, worst = 0;
     for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
         const glm::dvec3& n = mesh.normals[i];
         if (n == glm::dvec3(0.0)) continue;
-        // The tangent of the angle between the two images: their cross product by their dot product, which is n·n.
-        const glm::dvec3 cross = glm::cross(naive * n, inverse_transpose * n);
-        const double tangent2 = glm::dot(cross, cross) / (glm::dot(n, n) * glm::dot(n, n));
-        sum += std::atan(std::sqrt(tangent2));
+        // The angle between the two images by their cross and their dot product, which is n·n for the naive rule.
+        const glm::dvec3 a = shown * n, b = inverse_transpose * n, cross = glm::cross(a, b);
+        const double sine = glm::length(cross), cosine = naive ? glm::dot(n, n) : glm::dot(a, b);
+        if (sine == 0.0 && cosine == 0.0) continue;
+        const double angle = std::atan2(sine, cosine);
+        sum += angle;
         ++count;
-        if (tangent2 > worst_tangent2) {
-            worst_tangent2 = tangent2;
+        if (angle > worst_angle) {
+            worst_angle = angle;
             worst = i;
         }
     }
     if (count == 0) return std::nullopt;
     ErrorStatistics statistics;
-    statistics.worst_degrees = error_degrees(matrices, {mesh.normals[worst]}).value_or(0.0);
+    statistics.worst_degrees =
+        angle_degrees(shown * mesh.normals[worst], inverse_transpose * mesh.normals[worst]).value_or(0.0);
     statistics.mean_degrees = glm::degrees(sum / static_cast<double>(count));
     statistics.at = {mesh.positions[worst]};
     return statistics;
 }
 
+}  // namespace
+
+std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMatrices& matrices) {
+    if (!matrices.inverse_transpose) return std::nullopt;
+    return linear_error_statistics(mesh, matrices.naive, matrices);
+}
+
 std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMap& naive,
                                                 const Transform<World, Object>& world_from_object) {
     const NormalMatrices& matrices = world_from_object.normal_matrices_by_rule();
-    if (world_from_object.affine() && naive == NormalMap{.matrix = glm::dmat4(matrices.naive)})
-        return error_statistics(mesh, matrices);
+    if (world_from_object.affine() && matrices.inverse_transpose && naive.w == 0.0)
+        return linear_error_statistics(mesh, glm::dmat3(naive.matrix), matrices);
     ErrorStatistics statistics;
     double sum = 0.0;
     std::size_t count = 0;

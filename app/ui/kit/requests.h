@@ -19,8 +19,9 @@ struct Reply {
 /// What the interface asks of the program, beyond edits of the scene.
 struct Requests {
     bool undo = false, redo = false;
-    bool step = false;       ///< what the scene is now is one step to undo, though the editing goes on
-    bool make_room = false;  ///< the surface is another, or as large as it was not: it should be in the picture
+    bool step = false;         ///< what the scene is now is one step to undo, though the editing goes on
+    std::optional<Rule> rule;  ///< was chosen
+    bool make_room = false;    ///< the surface is another, or as large as it was not: it should be in the picture
     bool full_screen = false, quit = false;
     bool copy_command = false;  ///< the command line that captures what is shown
     bool end_presenting = false;

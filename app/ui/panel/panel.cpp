@@ -135,7 +135,7 @@ void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context) 
     if (always) {
         toolbar(scene, memory, context);
         rule_buttons(scene, context);
-        mistake_chooser(scene, context);
+        naive_place(scene, context);
         view_buttons(scene, context);
         side_buttons(look, context.tabs, context.side);
     }

@@ -11,8 +11,9 @@ void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context);
 
 // Its parts, from top to bottom.
 void toolbar(Scene& scene, PanelMemory& memory, const PanelContext& context);
-void rule_buttons(Scene& scene, const PanelContext& context);
-void mistake_chooser(Scene& scene, const PanelContext& context);
+void rule_buttons(const Scene& scene, const PanelContext& context);
+/// What stands in the naive rule's place: the rule itself, bent by a slider, or another mistake.
+void naive_place(Scene& scene, const PanelContext& context);
 void view_buttons(Scene& scene, const PanelContext& context);
 void probe_section(Scene& scene, PanelMemory& memory, const PanelContext& context);
 void surface_section(Scene& scene, PanelMemory& memory, const PanelContext& context);

@@ -68,7 +68,7 @@ void coordinates(const Look& look, const Columns& c, const char* what, const ImV
     tip(look, about);
 }
 
-void where_and_whither(const Look& look, const ProbeInWorld& probe, Mistake mistake) {
+void where_and_whither(const Look& look, const ProbeInWorld& probe, const Scene& scene) {
     const Columns c = columns(look.px(88), 4);
     static constexpr std::array<std::string_view, 4> kWords{"x", "y", "z", "length"};
     heading(look, c, "", kWords);
@@ -84,7 +84,7 @@ void where_and_whither(const Look& look, const ProbeInWorld& probe, Mistake mist
         "cof(M) n = det(M) (M⁻¹)ᵀ n, as it comes. Its length is the factor by which M changes the surface's area "
         "here."};
     for (std::size_t i = 0; i < kRules.size(); ++i) {
-        const std::string what(normal_formula(kRules[i], mistake));
+        const std::string what = normal_formula(kRules[i], scene);
         std::optional<glm::dvec3> n;
         if (probe.normals[i]) n = probe.normals[i]->xyz;
         coordinates(look, c, what.c_str(), look.readable(kRules[i]), n, true, kAbout[i]);
@@ -115,8 +115,7 @@ void dots(const Look& look, const ProbeInWorld& probe, const Scene& scene) {
     for (std::size_t i = 0; i < kRules.size(); ++i) {
         ImGui::BeginGroup();
         ImGui::SetCursorPosX(c.left);
-        ImGui::TextColored(look.readable(kRules[i]), "%s",
-                           std::string(normal_formula(kRules[i], scene.mistake)).c_str());
+        ImGui::TextColored(look.readable(kRules[i]), "%s", normal_formula(kRules[i], scene).c_str());
         const auto& n = probe.normals[i];
         const bool any = n && probe.dots[i] && glm::length(n->xyz) > 0.0;
         for (std::size_t k = 0; k < 2; ++k) {
@@ -146,7 +145,7 @@ void over_the_surface(const Look& look, const Scene& scene, const std::optional<
     std::optional<double> bound;
     try {
         const Transform<World, Object> m = world_from_object(scene);
-        if (m.affine()) bound = m.normal_matrices_by_rule().error_bound_degrees();
+        if (m.affine()) bound = m.normal_matrices_by_rule().error_bound_degrees(shown_power(scene));
     } catch (const InputError&) {  // said elsewhere
     }
     const auto worst = errors ? std::optional(errors->worst_degrees) : std::nullopt;
@@ -162,9 +161,8 @@ void over_the_surface(const Look& look, const Scene& scene, const std::optional<
          {"bound", bound,
           "atan k − atan 1/k with k = σ₁/σ₃: the largest error that this M can cause on any surface "
           "(Kantorovich's inequality)."}}};
-    const bool plain = scene.mistake == Mistake::Naive;
     const std::string whose =
-        plain ? "naive rule’s error" : "error of “" + std::string(text(scene.mistake).title) + "”";
+        plainly_naive(scene) ? "naive rule’s error" : "error of “" + in_naive_place(scene).title + "”";
     dim_text(look, (whose + ", over the whole surface").c_str());
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float gap = look.px(6), width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3),
@@ -214,7 +212,7 @@ void probe_section(Scene& scene, PanelMemory& memory, const PanelContext& contex
             gradient_readout(look, context.frame, memory.at_probe);
             ImGui::Dummy({0, look.px(4)});
         }
-        where_and_whither(look, *probe, scene.mistake);
+        where_and_whither(look, *probe, scene);
         ImGui::Dummy({0, look.px(4)});
         dots(look, *probe, scene);
     } else {

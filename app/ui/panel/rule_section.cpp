@@ -44,7 +44,7 @@ const ImFont* fitting(const Look& look, std::string_view text, float width) {
 // Some formulas go on in words, which the button has no room for.
 std::string_view before_comma(std::string_view text) { return text.substr(0, text.find(", as")); }
 
-void button(const Look& look, Scene& scene, const RuleButton& b, bool exists, ImVec2 size) {
+void button(const Look& look, const Scene& scene, const RuleButton& b, bool exists, ImVec2 size, Requests& requests) {
     // The scene may put another mistake into the naive rule's place.
     const bool mistaken = b.rule == Rule::Naive && scene.mistake != Mistake::Naive;
     const MistakeText mistake = text(scene.mistake);
@@ -61,7 +61,7 @@ void button(const Look& look, Scene& scene, const RuleButton& b, bool exists, Im
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(tint, chosen ? 0.26f : 0.12f));
     ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(tint, 0.32f));
     ImGui::PushID(b.label);
-    if (ImGui::Button("##rule", size)) scene.rule = b.rule;
+    if (ImGui::Button("##rule", size)) requests.rule = b.rule;
     ImGui::PopID();
     ImGui::EndDisabled();
     ImGui::PopStyleColor(3);
@@ -102,55 +102,16 @@ void button(const Look& look, Scene& scene, const RuleButton& b, bool exists, Im
 
 }  // namespace
 
-void rule_buttons(Scene& scene, const PanelContext& context) {
+void rule_buttons(const Scene& scene, const PanelContext& context) {
     const Look& look = context.look;
     const bool invertible = !context.frame.probe || !context.frame.probe->object.has_normal() ||
                             context.frame.probe->normals[Rule::InverseTranspose];
     const float gap = look.px(6), width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3);
     for (std::size_t i = 0; i < kButtons.size(); ++i) {
         if (i > 0) ImGui::SameLine(0, gap);
-        button(look, scene, kButtons[i], kButtons[i].rule != Rule::InverseTranspose || invertible,
-               {width, look.px(66)});
+        button(look, scene, kButtons[i], kButtons[i].rule != Rule::InverseTranspose || invertible, {width, look.px(66)},
+               context.requests);
     }
-}
-
-void mistake_chooser(Scene& scene, const PanelContext& context) {
-    const Look& look = context.look;
-    const MistakeText chosen = text(scene.mistake);
-    const bool plain = scene.mistake == Mistake::Naive;
-    const float width = ImGui::GetContentRegionAvail().x;
-    if (begin_combo(look, "##mistake",
-                    plain ? std::string("mistake: the naive rule") : "mistake: " + std::string(chosen.title), width)) {
-        const ImFont* small = look.fonts.small;
-        for (const auto& [mistake, id] : kMistakeNames) {
-            const MistakeText words = text(mistake);
-            const std::string title(words.title), formula(words.formula);
-            ImGui::PushID(static_cast<int>(mistake));
-            if (ImGui::Selectable("##choose", mistake == scene.mistake)) scene.mistake = mistake;
-            ImGui::PopID();
-            const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-            tip(look, std::string(words.reason).c_str());
-            ImDrawList& list = *ImGui::GetWindowDrawList();
-            const float top = std::round((low.y + high.y - ImGui::GetFontSize()) / 2);
-            list.AddText({low.x + look.px(8), top}, packed(look.text), title.c_str());
-            list.AddText(small, small->FontSize,
-                         {high.x - look.px(8) - small->CalcTextSizeA(small->FontSize, 1e9f, 0, formula.c_str()).x,
-                          top + look.px(1)},
-                         packed(look.readable(Rule::Naive)), formula.c_str());
-        }
-        ImGui::EndCombo();
-    } else {
-        tip(look,
-            "What stands in the naive rule's place, as the vermillion arrows: another mistake that programs make.");
-    }
-    if (plain) return;
-    ImGui::PushFont(look.fonts.small);
-    ImGui::PushStyleColor(ImGuiCol_Text, look.dim);
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-    ImGui::TextUnformatted(chosen.reason.data(), chosen.reason.data() + chosen.reason.size());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-    ImGui::PopFont();
 }
 
 void view_buttons(Scene& scene, const PanelContext& context) {

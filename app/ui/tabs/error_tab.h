@@ -16,9 +16,11 @@ struct ErrorTab {
     std::optional<NormalMap> measured_map;
     glm::dmat4 measured_matrix{0.0};
     int measured_rank = -1;
+    double measured_power = 1.0;
     std::optional<ErrorHistogram> histogram;
-    std::optional<double> naive_worst;  ///< of the naive rule itself, on this surface
-    std::vector<MeasuredError> family;
+    std::optional<double> naive_worst;  ///< on this surface: of the naive rule itself, or bent to the scene's power
+    std::vector<MeasuredError> family;  ///< with M's stretch varied
+    std::vector<MeasuredError> powers;  ///< with the power varied
 };
 
 void draw_error_tab(const Scene& scene, ErrorTab& tab, const SideContext& context);

@@ -126,7 +126,9 @@ TEST(SceneBlend, TurnsTheShorterWay) {
     Scene from, to;
     from.camera.azimuth = 170;
     to.camera.azimuth = -170;
+    to.power = -1.0;
     EXPECT_NEAR(blend(from, to, 0.5).camera.azimuth, 180, 1e-9);
+    EXPECT_NEAR(blend(from, to, 0.5).power, 0.0, 1e-9);
 }
 
 }  // namespace

@@ -72,6 +72,7 @@ TEST(SceneJson, ErrorsNameThePath) {
         {"[1, 2]", {"object"}},
         {"nonsense", {"not valid JSON"}},
         {R"({"rule": "naive")", {"not valid JSON"}},
+        {R"({"power": 1.5})", {"power", "-1", "1"}},
         {R"({"colour": 1})", {"colour", "unknown key", "camera"}},
         {R"({"arrows": {"len": 1}})", {"arrows.len", "unknown key", "length"}},
         {R"({"rule": "correct"})", {"rule", "naive, inverse-transpose, cofactor", "correct"}},
