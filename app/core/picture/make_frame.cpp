@@ -7,6 +7,7 @@
 #include "core/picture/picture_scale.h"
 #include "core/picture/probe_marks.h"
 #include "core/picture/ray_marks.h"
+#include "core/picture/sheet_marks.h"
 #include "core/picture/singular_marks.h"
 #include "core/picture/slice_marks.h"
 #include "core/picture/solids.h"
@@ -307,6 +308,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         add_arrows(pane, scene, m, options);
         if (scene.show.axes) add_axes(pane, scene, frame.surface->extent, options);
         if (frame.probe) add_probe_marks(pane, scene, *frame.probe, drawn_arrows(scene, m, pane.rule), options);
+        add_sheet_marks(pane, scene, frame, m, ghost, options);
         if (frame.singular) add_singular_marks(pane, scene, *frame.singular, m, options);
         if (options.handles) add_knobs(pane, scene, m, options);
         if (frame.ray) add_ray_marks(pane, scene, *frame.ray, m, ghost, options);

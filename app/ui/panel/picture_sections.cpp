@@ -128,7 +128,7 @@ void picture_section(Scene& scene, const PanelContext& context) {
     ImGui::SetNextItemWidth(width);
     if (segmented(look, "color", color, kColors)) scene.color = static_cast<SurfaceColor>(color);
 
-    static constexpr std::array<Toggle, 7> kToggles{{
+    static constexpr std::array<Toggle, 8> kToggles{{
         {"ghost", "The untransformed object. (G)", &Shown::ghost},
         {"ground grid", "The ground and the object's shadow on it.", &Shown::grid},
         {"axes", "The object's axes; drag their knobs in the picture to stretch it.", &Shown::axes},
@@ -138,6 +138,11 @@ void picture_section(Scene& scene, const PanelContext& context) {
         {"stretch axes",
          "The perpendicular directions that M only stretches, and the normals that the naive rule treats worst.",
          &Shown::stretch_axes},
+        {"sheets",
+         "At the probe, the normal as a stack of sheets that M carries along, and how many of them a step along each "
+         "axis "
+         "and one along the surface cross.",
+         &Shown::sheets},
     }};
     const float left = ImGui::GetCursorPosX();
     push_small_boxes(look);
@@ -146,11 +151,11 @@ void picture_section(Scene& scene, const PanelContext& context) {
         ImGui::Checkbox(kToggles[i].label, &(scene.show.*kToggles[i].value));
         tip(look, kToggles[i].about);
     }
-    ImGui::SameLine(left + half + gap);
     ImGui::Checkbox("renormalise", &scene.renormalise);
     tip(look,
         "Make the normals unit again at each pixel, after they were interpolated between the vertices: in between "
         "they come out too short.");
+    ImGui::SameLine(left + half + gap);
     ImGui::Checkbox("cull backs", &scene.cull);
     tip(look,
         "Leave out the triangles whose winding shows their back, as many programs do to save time: a reflection "
