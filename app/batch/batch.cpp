@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
 #include <utility>
 
 namespace normalscope {
@@ -14,7 +15,8 @@ namespace {
 
 using Done = std::function<void(std::size_t, std::string)>;
 
-/// Finishes pictures in the background while the next ones are drawn.
+/// Finishes pictures in the background while the next ones are drawn, and tells of each as soon as it and those before it
+/// are finished: should this process die, what it has finished is known.
 class Finisher {
 public:
     explicit Finisher(const Done& done) : done_(done) {}
@@ -27,31 +29,40 @@ public:
     Finisher(const Finisher&) = delete;
     Finisher& operator=(const Finisher&) = delete;
 
-    /// Waits while several pictures are waiting already: each holds megabytes. Throws what finishing threw.
+    /// Waits while several pictures are waiting already: each holds megabytes. Throws what finishing or telling threw.
     void add(std::size_t i, Finish finish) {
-        while (!waiting_.empty() && (waiting_.size() >= kMostWaiting || waiting_.front().text.ready())) take_first();
-        waiting_.push_back({i, beside(std::move(finish))});
+        while (!waiting_.empty() && (waiting_.size() >= kMostWaiting || waiting_.front().ready())) take_first();
+        waiting_.push_back(
+            beside([this, number = added_++, i, finish = std::move(finish)] { tell(number, i, finish()); }));
     }
-    /// Until all is finished. Throws what finishing threw.
+    /// Until all is finished. Throws what finishing or telling threw.
     void wait() {
         while (!waiting_.empty()) take_first();
     }
 
 private:
     static constexpr std::size_t kMostWaiting = 3;
-    struct Task {
-        std::size_t i;
-        Beside<std::string> text;
-    };
 
     void take_first() {
-        Task first = std::move(waiting_.front());
+        Beside<void> first = std::move(waiting_.front());
         waiting_.pop_front();
-        done_(first.i, first.text.get());
+        first.get();
+    }
+    void tell(std::size_t number, std::size_t i, std::string text) {
+        telling_.run([&] {
+            finished_.emplace(number, std::pair(i, std::move(text)));
+            for (; finished_.contains(told_); ++told_) {
+                auto node = finished_.extract(told_);
+                done_(node.mapped().first, std::move(node.mapped().second));
+            }
+        });
     }
 
     const Done& done_;
-    std::deque<Task> waiting_;
+    std::size_t added_ = 0, told_ = 0;  // pictures, counted in the order in which they are drawn
+    OneAtATime telling_;
+    std::map<std::size_t, std::pair<std::size_t, std::string>> finished_;  // but not told: others before them are not
+    std::deque<Beside<void>> waiting_;                                     // last: these tasks end before the rest goes
 };
 
 // Every step-th picture from `first` on.

@@ -43,6 +43,7 @@ struct Run {
     const CheckCommand& command;
     std::vector<Chosen> checks;
     std::vector<CheckResult> results;
+    std::size_t named = 0;  ///< how many --only names: of these, --shard chose
     std::size_t known = 0;  ///< of the results
 };
 
@@ -63,12 +64,12 @@ FilesOfRun files_of(const CheckCommand& command, const std::vector<Check>& all) 
     return files;
 }
 
-std::vector<Chosen> chosen_of(const CheckCommand& command, const std::vector<Check>& all) {
-    std::vector<Chosen> chosen;
-    std::size_t named = 0;
+void choose(Run& run, const std::vector<Check>& all) {
+    const CheckCommand& command = run.command;
     for (const Check& check : all) {
         if (check.name.find(command.only) == std::string::npos) continue;
-        if (named++ % command.shards != command.shard - 1) continue;
+        if (run.named++ % command.shards != command.shard - 1) continue;
+        std::vector<Chosen>& chosen = run.checks;
         chosen.push_back({check, {}, {}});
         try {
             chosen.back().subject = subject_of(check.picture.file, check.picture.settings);
@@ -76,8 +77,7 @@ std::vector<Chosen> chosen_of(const CheckCommand& command, const std::vector<Che
             chosen.back().error = e.what();
         }
     }
-    if (named == 0) throw UsageError("--only " + command.only + ": no check's name has that in it");
-    return chosen;
+    if (run.named == 0) throw UsageError("--only " + command.only + ": no check's name has that in it");
 }
 
 Finish draw(const CheckCommand& command, const Chosen& chosen, Studio& studio) {
@@ -138,11 +138,14 @@ bool run_checks(Run& run) {
 }
 
 std::string summary(const Run& run) {
+    if (run.checks.empty())
+        return "nothing was checked: shard " + std::to_string(run.command.shard) + "/" +
+               std::to_string(run.command.shards) + " has none of the " + std::to_string(run.named) + " checks\n";
     const auto passed =
         std::ranges::count_if(run.results, [](const CheckResult& r) { return r.state == CheckState::Pass; });
     const std::size_t skipped = run.results.size() - run.known;
     return std::to_string(passed) + " of " + std::to_string(run.results.size()) + " checks pass" +
-           (skipped > 0 ? ", " + std::to_string(skipped) + " were not run" : "") + "\n";
+           (skipped > 0 ? ", " + std::to_string(skipped) + (skipped == 1 ? " was" : " were") + " not run" : "") + "\n";
 }
 
 bool accepted_by_user(std::size_t count) {
@@ -211,7 +214,8 @@ void write_reports(const Run& run, InSpiteOfErrors& tasks) {
 int run(const CheckCommand& command) {
     const std::vector<Check> all = read_manifest(command.manifest);
     FilesOfRun files = files_of(command, all);
-    Run run{command, chosen_of(command, all), {}};
+    Run run{command, {}, {}};
+    choose(run, all);
     for (const Chosen& c : run.checks)
         if (c.subject) files.reads_scene(c.check.picture.file, c.subject->scene);
     for (const Chosen& c : run.checks)

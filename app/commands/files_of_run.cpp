@@ -30,11 +30,24 @@ std::string in_small_letters(std::string text) {
     return text;
 }
 
-// Whether a disk takes "A" and "a" for one name, judged by the folder's own name.
-bool takes_any_case(const fs::path& folder) {
-    const fs::path other = folder.parent_path() / with_other_case(folder.filename().string());
+bool is_found_by_other_case(const fs::path& file) {
     std::error_code ignored;
-    return other != folder && fs::equivalent(folder, other, ignored);
+    return fs::equivalent(file, file.parent_path() / with_other_case(file.filename().string()), ignored);
+}
+
+// Whether a folder takes "A" and "a" for one name, judged by what is in it; where it is empty or not there yet, by its own
+// name, which is found as the folder around it finds names.
+bool takes_any_case(const fs::path& folder) {
+    const auto has_letters = [](const fs::path& file) {
+        const std::string name = file.filename().string();
+        return with_other_case(name) != name;
+    };
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, none))
+        if (has_letters(entry.path())) return is_found_by_other_case(entry.path());
+    if (!folder.has_relative_path()) return false;
+    return has_letters(folder) && fs::exists(folder, none) ? is_found_by_other_case(folder)
+                                                           : takes_any_case(folder.parent_path());
 }
 
 std::string identity(const struct stat& status) {

@@ -152,9 +152,12 @@ class CheckTest(CommandTest):
             return [line.split(": ")[1] for line in lines[:-1]]
         self.assertEqual(ran("--shard", "2/3"), ["a1", "b0", "b3"])
         self.assertEqual(sorted(sum((ran("--shard", f"{k}/5") for k in range(1, 6)), [])), names)
+        self.assertEqual(self.check("--only", "b", "--shard", "5/5")[1], ["nothing was checked: shard 5/5 has none of the 4 checks"])
         self.assertEqual(ran("--shard", "1/2", "--only", "b"), ["b0", "b2"])
         self.assertEqual(ran("--shard", "8/9"), ["b3"])
-        self.assertEqual(ran("--shard", "9/9"), [])
+        code, lines = self.check("--shard", "9/9", "--junit", self.folder / "junit.xml")  # as where a matrix is larger than the list
+        self.assertEqual((code, lines), (0, ["nothing was checked: shard 9/9 has none of the 8 checks"]))
+        self.assertEqual(xml.etree.ElementTree.parse(self.folder / "junit.xml").getroot()[0].get("tests"), "0")
         for wrong in ("0/3", "4/3", "1", "1/", "/2", "-1/2", "1/2/3", "a/b", "1/99999", ""):
             self.assert_fails(2, "check", self.folder / "checks.json", "--shard", wrong, says=("--shard", "2/5"))
 
@@ -266,6 +269,17 @@ class CutShortTest(CommandTest):
             self.assertEqual(process.wait(), 3)
             self.assertRegex(err, r"\Anormalscope: a process that draws [^\n]*before it was done; is there enough memory\?\n\Z")
             self.assert_reports(out)
+
+    def test_what_a_worker_has_finished_is_known(self):
+        checks = json.loads(self.checks.read_text())
+        large = {"name": "large", "scene": "implicit-torus", "size": "6000x6000", "numbers": {"rank": 2}}
+        checks["checks"] = [*({**checks["checks"][0], "name": name} for name in ("first", "second", "third")), large]
+        self.checks.write_text(json.dumps(checks))
+        process = self.start("--jobs", "1")
+        self.assertEqual([process.stdout.readline()[:12] for _ in range(2)], ["pass: second", "pass: third:"])
+        worker = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text()
+        os.kill(int(worker), signal.SIGKILL)  # while it draws the large one
+        self.assertEqual((process.wait(), process.stdout.read()), (3, "3 of 4 checks pass, 1 was not run\n"))
 
     def test_nobody_reads_the_results(self):
         process = self.start()

@@ -1,6 +1,7 @@
 #include "core/base/beside.h"
 
 #include <future>
+#include <mutex>
 #include <thread>
 
 namespace normalscope {
@@ -34,6 +35,18 @@ bool BackgroundTask::ready(std::chrono::milliseconds patience) const {
     return thread_->end.wait_for(patience) != std::future_status::timeout;
 }
 void BackgroundTask::finish() { thread_->end.get(); }
+
+struct OneAtATime::Lock {
+    std::mutex mutex;
+};
+
+OneAtATime::OneAtATime() : lock_(std::make_unique<Lock>()) {}
+OneAtATime::~OneAtATime() = default;
+
+void OneAtATime::run(const std::function<void()>& work) {
+    const std::scoped_lock lock(lock_->mutex);
+    work();
+}
 
 std::size_t processors() { return kHasThreads ? std::max<std::size_t>(std::thread::hardware_concurrency(), 1) : 1; }
 

@@ -57,6 +57,20 @@ private:
     std::unique_ptr<Thread> thread_;
 };
 
+/// What several tasks do, one after the other.
+class OneAtATime {
+public:
+    OneAtATime();
+    ~OneAtATime();
+    OneAtATime(const OneAtATime&) = delete;
+    OneAtATime& operator=(const OneAtATime&) = delete;
+    void run(const std::function<void()>& work);
+
+private:
+    struct Lock;
+    std::unique_ptr<Lock> lock_;
+};
+
 /// What a task in the background will give. Whoever lets go of it asks the task to stop, and waits until it has.
 template <class T>
 class Beside {
