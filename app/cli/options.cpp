@@ -70,9 +70,9 @@ Declared declare_capture(CLI::App& root) {
                 given->picture.read_into(command);
                 command.output = parse_picture_output("--output", given->output);
                 if (command.output.file.extension() == ".svg" &&
-                    (expected.count() > 0 || command.panel || !command.tab.empty()))
+                    (expected.count() > 0 || command.panel || command.captions || !command.tab.empty()))
                     throw UsageError("--output " + given->output +
-                                     ": --expect, --panel and --tab are for pixels; end the name in .png");
+                                     ": --expect, --panel, --tab and --captions are for pixels; end the name in .png");
                 if (numbers.count() > 0) command.numbers = parse_output("--numbers", given->numbers);
                 if (command.numbers && command.numbers->is_standard() && command.output.is_standard())
                     throw UsageError("--numbers " + given->numbers +

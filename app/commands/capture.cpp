@@ -7,13 +7,14 @@
 #include "commands/studio.h"
 #include "commands/vector_capture.h"
 #include "core/base/output.h"
+#include "core/base/utf8.h"
 #include "core/image/png.h"
-#include "core/scene/scene_json.h"
 #include "platform/crash_line.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 namespace normalscope {
 
@@ -35,20 +36,25 @@ void refuse_to_overwrite(const CaptureCommand& command, const Scene& scene) {
 int run(const CaptureCommand& command) {
     const Subject subject = subject_of(command.file, command.settings);
     refuse_to_overwrite(command, subject.scene);
+    const auto told = [&](const std::vector<std::string>& notes) {
+        for (const std::string& note : notes) std::fprintf(stderr, "normalscope: %s\n", in_one_line(note).c_str());
+        return command.fail_on_note && !notes.empty() ? 1 : 0;
+    };
     const bool vector = command.output.file.extension() == ".svg";
-    if (vector) write(command.output, vector_capture(subject.scene, command));
-    if (vector && subject.scene.color != SurfaceColor::Lit)
-        std::fprintf(stderr, "normalscope: an SVG's surfaces are flat, so that color=%s is not in it; a PNG has it\n",
-                     std::string(name(subject.scene.color)).c_str());
-    if (vector && !command.numbers) return 0;
+    int noted = 0;
+    if (vector) {
+        const VectorCapture drawn = vector_capture(subject.scene, command);
+        write(command.output, drawn.svg);
+        noted = told(drawn.notes);
+    }
+    if (vector && !command.numbers) return noted;
     const CrashLine crash_line;
     CaptureOptions options = capture_options(command, subject);
     options.numbers = command.numbers.has_value();
     const Capture result = Studio({.context = command.context}).capture(subject.scene, options);
     if (!vector) write(command.output, png_bytes(result.image));
     if (command.numbers) write(*command.numbers, result.numbers);
-    for (const std::string& note : result.notes) std::fprintf(stderr, "normalscope: %s\n", note.c_str());
-    const int noted = command.fail_on_note && !result.notes.empty() ? 1 : 0;
+    if (!vector) noted = told(result.notes);
     return command.expected ? std::max(noted, compare_capture(command, result.image)) : noted;
 }
 

@@ -153,7 +153,7 @@ Capture Studio::draw(const Scene& scene, const CaptureOptions& options, const st
 
     equipment_->renderer->draw(frame, target);
     Capture result{.image = target.read()};
-    result.notes = surface->mesh.notes;
+    result.notes = frame.notes;
     if (words) {
         words.get();
         equipment_->gui->paint(result.image);

@@ -14,8 +14,6 @@ namespace normalscope {
 /// in clusters, of which those are left out that nothing would be seen of. The picture is as if all had been drawn.
 class ArrowField {
 public:
-    static constexpr std::size_t kFrom = 20'000;
-
     explicit ArrowField(std::span<const Site> sites);
     /// With `program` in use and everything set, for the arrows as `draw` has them.
     void draw(const SceneProgram& program, const ArrowDraw& draw, const CameraView& view);

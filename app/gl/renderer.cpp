@@ -54,7 +54,7 @@ struct Renderer::Resources {
         mesh.emplace(wanted->mesh);
         arrows.clear();
         arrow_field.reset();
-        if (wanted->arrows.size() >= ArrowField::kFrom) arrow_field.emplace(wanted->arrows);
+        if (wanted->arrows.size() >= kManyArrows) arrow_field.emplace(wanted->arrows);
         surface = wanted;
     }
 

@@ -4,7 +4,7 @@
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from support import CommandTest, png_pixels
+from support import CommandTest, png_pixels, run
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -33,7 +33,19 @@ class FiguresTest(CommandTest):
             self.assertFalse([rect for rect in root.findall(f"{SVG}rect") if rect.get("width") == "100%"])
 
     def test_pixels_only(self):
-        self.assert_fails(2, "capture", "-o", self.folder / "a.svg", "--panel", says=("--panel", ".png"))
+        for option in (["--panel"], ["--captions"], ["--tab", "ray"], ["--expect", self.folder / "a.png"]):
+            self.assert_fails(2, "capture", "1-normal-as-a-point#2", "-o", self.folder / "a.svg", *option, says=(option[0], ".png"))
+
+    def test_notes_as_of_pixels(self):
+        self.file("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        for ending in ("png", "svg"):
+            out = self.folder / f"a.{ending}"
+            done = run("capture", self.folder / "flat.obj", "-o", out)
+            self.assertEqual((done.returncode, done.stderr.count(b"\n")), (0, 1))
+            self.assertIn(b"flat.obj has no normals", done.stderr)
+            self.assertEqual(run("capture", self.folder / "flat.obj", "-o", out, "--fail-on-note").returncode, 1)
+        done = run("capture", "-o", out, "--set", "color=error", "--numbers", "-")
+        self.assertEqual((done.returncode, done.stderr.count(b"color=error is not in it")), (0, 1))
 
     def test_grounds(self):
         for ground, corner in (("white", (255, 255, 255, 255)), ("transparent", (0, 0, 0, 0))):

@@ -144,6 +144,9 @@ class NumbersTest(CommandTest):
         self.assertGreater(dots["naive"], 0.7)
         self.assertLess(dots["naive"], 0.8824)
         self.assertIsNone(self.numbers(*scaled(1, 1, 0))["worst_dot"]["inverse-transpose"])
+        nothing = self.numbers("slide-scale", "--set", "surface.formula=x^2+y^2+z^2+1", notes=["No zero of f"])
+        self.assertEqual(nothing["surface"]["triangles"], 0)
+        self.assertEqual(nothing["worst_dot"], {"naive": None, "inverse-transpose": None, "cofactor": None})
 
     def test_ranks_1_and_0(self):
         for factors, rank in (((1, 0, 0), 1), ((0, 0, 0), 0)):

@@ -8,6 +8,7 @@ import unittest
 from support import CommandTest
 
 BENT = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0.3, 1]]
+NOTE = "drawn by triangles"
 RULES = ("naive", "inverse-transpose", "cofactor")
 
 
@@ -25,7 +26,8 @@ class ProjectiveTest(CommandTest):
         return self.scene(surface={"formula": "x^2+y^2+z^2-1"}, stack=[{"matrix": BENT}], probe=[0.5, 0.5, 0.7], **keys)
 
     def test_numbers(self):
-        n = self.numbers(self.bent())
+        n = self.numbers(self.bent(), notes=[NOTE])
+        self.assertEqual(len(n["surface"]["notes"]), 1)
         self.assertIs(n["affine"], False)
         probe = n["probe"]
         for value, right in zip(unit(probe["true_normal"]), (0.40868, 0.40878, 0.81601)):
@@ -75,8 +77,8 @@ class ProjectiveTest(CommandTest):
         for keys in ({}, {"color": "error"}, {"color": "normals"}, {"view": "split"}, {"slice": {"axis": "z", "at": 0}},
                      {"view": "single", "show": {"stretch_axes": True}}):
             with self.subTest(keys):
-                self.capture(self.bent(**keys))
-        self.assert_done("capture", self.bent(), "-o", self.folder / "bent.svg")
+                self.capture(self.bent(**keys), notes=[NOTE])
+        self.assert_done("capture", self.bent(), "-o", self.folder / "bent.svg", notes=[NOTE])
         # Half of it beyond infinity; without an inverse; nowhere at all.
         for row in ([0, 0, 2, 1], [0, 0, 1, 0], [0, 0, 0, 0]):
             with self.subTest(row):

@@ -79,7 +79,7 @@ Json numbers_json(const Scene& scene, const Frame& frame, const std::optional<Dr
         tangents ? worst_dots(frame.surface->mesh.normals, maps, *tangents) : worst_dots(frame.surface->mesh, maps, m);
     for (const Rule rule : kRules) j["worst_dot"][std::string(name(rule))] = json_or_null(dots[rule], json_number);
     const Mesh& mesh = frame.surface->mesh;  // as it is drawn
-    j["surface"] = {{"triangles", mesh.triangles.size()}, {"vertices", mesh.positions.size()}, {"notes", mesh.notes}};
+    j["surface"] = {{"triangles", mesh.triangles.size()}, {"vertices", mesh.positions.size()}, {"notes", frame.notes}};
     j["probe"] =
         json_or_null(frame.probe, [&](const ProbeInWorld& p) { return probe_json(p, frame.surface->implicit.get()); });
     return j;

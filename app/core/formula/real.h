@@ -2,6 +2,7 @@
 
 #include "core/formula/number.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -23,6 +24,9 @@ inline Parity flipped(Parity p) { return p == Parity::None ? p : p == Parity::Ev
 namespace real {
 
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// Never 0, also where the result is too small for a double: what is so for all x must not look like a surface.
+inline double exp(double v) { return std::max(std::exp(v), std::numeric_limits<double>::min()); }
 
 inline double sign(double v) { return v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : v; }
 

@@ -54,6 +54,9 @@ struct SurfaceDraw {
     SurfaceColor shows = SurfaceColor::Lit;
 };
 
+/// From so many on each is a few pixels, and all are drawn plain.
+inline constexpr std::size_t kManyArrows = 20'000;
+
 /// A shape of its own for each kind of arrow, for whom colours look alike; the legend's are the same.
 enum class ArrowLook { Plain, Dashed, Hollow, TwoHeads };
 constexpr ArrowLook arrow_look(ArrowKind kind) {
@@ -101,6 +104,7 @@ struct Label {
 
 struct LegendEntry {
     ArrowKind kind;
+    ArrowLook look;  ///< in pixels; an SVG's arrows have their own in any number
     std::string text;
     glm::vec3 color;
 };
@@ -149,6 +153,7 @@ struct Frame {
     std::optional<ProbeInWorld> probe;
     std::optional<SingularPoint> singular;  ///< where the probe stands on one
     std::optional<RaySteps> ray;            ///< the scene's
+    std::vector<std::string> notes;         ///< on what is drawn: what is not as one may expect
 };
 
 /// Where the arc of the angle, the legend's swatches and the map's key take their colour: error in degrees, 0 … 90.

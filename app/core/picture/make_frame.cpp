@@ -78,7 +78,7 @@ void add_surfaces(Pane& pane, const Scene& scene, const Surface& surface, const 
     // What would hide a slice is of glass.
     object.color = glm::vec4(colors.surface, options.sliced ? 0.5f : 1.0f);
     const bool traced = surface.implicit && surface.implicit->region();
-    // Where M is not affine a ray may come back from infinity in object space: then its mesh is drawn.
+    // Where M is not affine a ray may come back from infinity in object space: then its mesh is drawn, and that is said.
     if (const auto back = m.inverse(); back && traced && m.affine()) object.traced_object_from_world = back->matrix();
     if (const auto map = normal_map(scene, m, pane.rule, options.right_power)) object.normals = scaled_for_floats(*map);
     if (scene.cull)
@@ -212,6 +212,7 @@ float ground_height(const Mesh& mesh, const WorldFromObject& m, bool ghost, doub
 void add_legend(Frame& frame, const Scene& scene, const WorldFromObject& m) {
     const NormalMatrices& matrices = m.normal_matrices_by_rule();
     const InNaivePlace in_place = in_naive_place(scene);
+    const bool probe = frame.probe && scene.show.probe;  // whose arrows are there one by one
     if (scene.color == SurfaceColor::Error && frame.error_maps)
         frame.color_key = {SurfaceColor::Error,
                            plainly_naive(scene) ? "naive rule’s error" : "error: " + in_place.title};
@@ -239,12 +240,18 @@ void add_legend(Frame& frame, const Scene& scene, const WorldFromObject& m) {
             else if (!m.affine())
                 text += "  approximate: M is not affine";
         }
-        frame.legend.push_back({kind, text, arrow_color(kind, scene.theme)});
-    }
-    if (!m.affine() && frame.probe && frame.probe->truth && scene.show.probe)
+        const bool plain = frame.surface->arrows.size() >= kManyArrows && !probe;
         frame.legend.push_back(
-            {ArrowKind::InverseTranspose, "the normal, by (M⁻¹)ᵀ (n, −n·p)", theme_colors(scene.theme).text});
+            {kind, plain ? ArrowLook::Plain : arrow_look(kind), text, arrow_color(kind, scene.theme)});
+    }
+    if (!m.affine() && probe && frame.probe->truth)
+        frame.legend.push_back({ArrowKind::InverseTranspose, ArrowLook::Plain, "the normal, by (M⁻¹)ᵀ (n, −n·p)",
+                                theme_colors(scene.theme).text});
 }
+
+constexpr std::string_view kDrawnByTriangles =
+    "M is not affine, so that its formula's surface is drawn by triangles and not met by a ray for each pixel; its "
+    "outline and its light are as fine as these";
 
 // What gives the normals of this half.
 void add_title(Pane& pane, const Scene& scene) {
@@ -316,6 +323,9 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         if (scene.view == ViewMode::Split) add_title(pane, scene);
     }
     if (scene.show.legend) add_legend(frame, scene, m);
+    frame.notes = frame.surface->mesh.notes;
+    if (frame.surface->implicit && frame.surface->implicit->region() && !m.affine())
+        frame.notes.emplace_back(kDrawnByTriangles);
     return frame;
 }
 

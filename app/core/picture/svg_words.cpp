@@ -4,6 +4,7 @@
 #include "core/base/html.h"
 #include "core/base/utf8.h"
 #include "core/picture/contour.h"
+#include "core/picture/solids.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,13 +101,17 @@ std::string svg_legend(const Frame& frame, double scale) {
         const std::string dash = entry.kind == ArrowKind::Naive ? " stroke-dasharray=\"" + svg_number(4 * scale) + " " +
                                                                       svg_number(3 * scale) + "\""
                                                                 : "";
+        const bool hollow = entry.kind == ArrowKind::Object;
+        const auto head = [&](double at) {
+            return closed_path_data(
+                {{at - 9 * scale, middle - 4.5 * scale}, {at, middle}, {at - 9 * scale, middle + 4.5 * scale}});
+        };
+        const double back = ArrowProportions::kToSecondHead * 9 * scale;
+        const std::string heads = head(tip) + (entry.kind == ArrowKind::Cofactor ? head(tip - back) : "");
         out += "<path fill=\"none\" stroke=\"" + color + "\" stroke-width=\"" +
-               svg_number((entry.kind == ArrowKind::Object ? 1.2 : 2.4) * scale) + "\"" + dash + " d=\"" +
+               svg_number((hollow ? 1.2 : 2.4) * scale) + "\"" + dash + " d=\"" +
                open_path_data({{x, middle}, {tip - 9 * scale, middle}}) + "\"/>\n<path " +
-               (entry.kind == ArrowKind::Object ? "fill=\"none\" stroke=\"" + color + "\"" : "fill=\"" + color + "\"") +
-               " d=\"" +
-               closed_path_data(
-                   {{tip - 9 * scale, middle - 4.5 * scale}, {tip, middle}, {tip - 9 * scale, middle + 4.5 * scale}}) +
+               (hollow ? "fill=\"none\" stroke=\"" + color + "\"" : "fill=\"" + color + "\"") + " d=\"" + heads +
                "\"/>\n<text x=\"" + svg_number(tip + 9 * scale) + "\" y=\"" + svg_number(y) + "\" font-size=\"" +
                svg_number(14 * scale) + "\" fill=\"" + svg_color(colors.text) + "\" xml:space=\"preserve\">" +
                html_text(entry.text) + "</text>\n";

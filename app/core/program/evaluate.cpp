@@ -37,7 +37,7 @@ Lanes power(const Lanes& a, double exponent, Parity parity) {
     return NORMALSCOPE_EACH(real::power(a.v[k], exponent, parity));
 }
 Lanes power(const Lanes& a, const Lanes& b) { return NORMALSCOPE_EACH(real::power(a.v[k], b.v[k])); }
-Lanes exp(const Lanes& a) { return NORMALSCOPE_EACH(std::exp(a.v[k])); }
+Lanes exp(const Lanes& a) { return NORMALSCOPE_EACH(real::exp(a.v[k])); }
 Lanes sqrt(const Lanes& a) { return NORMALSCOPE_EACH(std::sqrt(a.v[k])); }
 Lanes log(const Lanes& a) { return NORMALSCOPE_EACH(real::log(a.v[k])); }
 Lanes sin(const Lanes& a) { return NORMALSCOPE_EACH(std::sin(a.v[k])); }

@@ -14,11 +14,13 @@ namespace {
 // Of either kind: its names, how near to 0 and how large a number may be, and for doubles what double.glsl defines.
 constexpr std::string_view kSingle =
     "#define REAL float\n#define REAL2 vec2\n#define REAL3 vec3\n#define DOUBLE false\n"
-    "#define TINY 1e-30\n#define ROOT_OF_TINY 1e-15\n#define HUGE 1e30\n#define MOST_EXPONENT 69.0\n"
+    "#define TINY 1e-30\n#define ROOT_OF_TINY 1e-15\n#define HUGE 1e30\n#define MOST_EXPONENT 69.0\n#define LEAST "
+    "1.2e-38\n"
     "#define LARGEST 3e37\n";
 constexpr std::string_view kDouble =
     "#define DOUBLES\n#define REAL double\n#define REAL2 dvec2\n#define REAL3 dvec3\n#define DOUBLE true\n"
-    "#define TINY 1e-290lf\n#define ROOT_OF_TINY 1e-145lf\n#define HUGE 1e290lf\n#define MOST_EXPONENT 660.0lf\n"
+    "#define TINY 1e-290lf\n#define ROOT_OF_TINY 1e-145lf\n#define HUGE 1e290lf\n#define MOST_EXPONENT "
+    "660.0lf\n#define LEAST 2.3e-308lf\n"
     "#define LARGEST 1e300lf\n"
     "double exp(double x);\ndouble log(double x);\ndouble pow(double b, double e);\ndouble sin(double x);\n"
     "double cos(double x);\ndouble tan(double x);\ndouble asin(double x);\ndouble acos(double x);\n"
@@ -38,7 +40,7 @@ constexpr std::array kHelpers{
            "    return b < 0.0 && mod(e, 2.0) == 1.0 ? -s : s;\n"
            "}\n"},
     Helper{"angle_of", "REAL angle_of(REAL y, REAL x) { return x == 0.0 && y == 0.0 ? REAL(0.0) : atan(y, x); }\n"},
-    Helper{"safe_exp", "REAL safe_exp(REAL v) { return exp(min(v, MOST_EXPONENT)); }\n"},
+    Helper{"safe_exp", "REAL safe_exp(REAL v) { return max(exp(min(v, MOST_EXPONENT)), LEAST); }\n"},
 };
 
 constexpr double kMostFactors = 16.0;  // longer powers are left to pow()

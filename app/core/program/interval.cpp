@@ -122,8 +122,9 @@ Interval power(const Interval& base, const Interval& exponent) {
 }
 
 Interval exp(const Interval& a) {
-    const Interval wide = rising(a, [](double v) { return std::exp(v); });
-    return {wide.defined == Defined::Nowhere ? wide.low : std::max(wide.low, 0.0), wide.high, wide.defined};
+    const Interval wide = rising(a, real::exp);
+    const double least = std::numeric_limits<double>::min();  // as real::exp has it
+    return {wide.defined == Defined::Nowhere ? wide.low : std::max(wide.low, least), wide.high, wide.defined};
 }
 
 Interval log(const Interval& a) {

@@ -2,6 +2,7 @@
 
 #include "core/program/steps.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <vector>
@@ -25,7 +26,7 @@ Single operator*(Single a, Single b) { return Single(a.v * b.v); }
 Single operator/(Single a, Single b) { return Single(a.v / b.v); }
 Single power(Single a, double exponent, Parity parity) { return Single(real::power(a.v, exponent, parity)); }
 Single power(Single a, Single b) { return Single(real::power(a.v, b.v)); }
-Single exp(Single a) { return Single(std::exp(a.v)); }
+Single exp(Single a) { return Single(std::max(std::exp(a.v), double{std::numeric_limits<float>::min()})); }
 Single sqrt(Single a) { return Single(std::sqrt(a.v)); }
 Single log(Single a) { return Single(real::log(a.v)); }
 Single sin(Single a) { return Single(std::sin(a.v)); }

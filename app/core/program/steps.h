@@ -13,7 +13,6 @@ namespace normalscope::formulas {
 
 namespace real {
 inline double log(double v) { return v > 0.0 ? std::log(v) : kNaN; }
-inline double exp(double v) { return std::exp(v); }
 inline double sin(double v) { return std::sin(v); }
 inline double cos(double v) { return std::cos(v); }
 inline double tan(double v) { return std::tan(v); }

@@ -81,8 +81,9 @@ NORMALSCOPE_WIDE_LOOPS void look_at_block(const glm::dvec3* block, const Task& t
         t2.x[i] = m[0][0] * vx + m[1][0] * vy + m[2][0] * vz;
         t2.y[i] = m[0][1] * vx + m[1][1] * vy + m[2][1] * vz;
         t2.z[i] = m[0][2] * vx + m[1][2] * vy + m[2][2] * vz;
-        l1[i] = t1.x[i] * t1.x[i] + t1.y[i] * t1.y[i] + t1.z[i] * t1.z[i];
-        l2[i] = t2.x[i] * t2.x[i] + t2.y[i] * t2.y[i] + t2.z[i] * t2.z[i];
+        const double there = x * x + y * y + z * z;  // 1, or 0 where there is no normal
+        l1[i] = (t1.x[i] * t1.x[i] + t1.y[i] * t1.y[i] + t1.z[i] * t1.z[i]) * there;
+        l2[i] = (t2.x[i] * t2.x[i] + t2.y[i] * t2.y[i] + t2.z[i] * t2.z[i]) * there;
     }
     for (std::size_t k = 0; k < task.rules.size(); ++k) {
         const auto [r, plus] = task.rules[k];  // which no write below could change
@@ -127,7 +128,7 @@ ByRule<std::optional<double>> worst_dots(std::span<const glm::dvec3> normals,
     const std::size_t threads = threads_for(normals.size(), kNormalsWorthAThread);
     WorstByRule none;
     for (Worst& one : none) {
-        one.above.fill(0.0);
+        one.above.fill(-1.0);  // less than any square: no normal has counted yet
         one.below.fill(1.0);
     }
     std::vector<WorstByRule> worst(threads, none);
@@ -144,10 +145,10 @@ ByRule<std::optional<double>> worst_dots(std::span<const glm::dvec3> normals,
     ByRule<std::optional<double>> result;
     for (std::size_t k = 0; k < maps.size(); ++k) {
         if (!maps[k]) continue;
-        double most = 0.0;
+        double most = -1.0;
         for (const WorstByRule& one : worst)
             for (std::size_t i = 0; i < kBlock; ++i) most = std::max(most, one[k].above[i] / one[k].below[i]);
-        result[k] = std::min(std::sqrt(most), 1.0);
+        if (most >= 0.0) result[k] = std::min(std::sqrt(most), 1.0);
     }
     return result;
 }
@@ -157,8 +158,6 @@ ByRule<std::optional<double>> worst_dots(const Mesh& mesh, const ByRule<std::opt
     if (world_from_object.affine())
         return worst_dots(mesh.normals, maps, world_from_object.normal_matrices_by_rule().naive);
     ByRule<std::optional<double>> result;
-    for (std::size_t k = 0; k < maps.size(); ++k)
-        if (maps[k]) result[k] = 0.0;
     for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
         const Point<Object> p{mesh.positions[i]};
         const Normal<Object> n{mesh.normals[i]};
@@ -169,7 +168,8 @@ ByRule<std::optional<double>> worst_dots(const Mesh& mesh, const ByRule<std::opt
                 if (!maps[k]) continue;
                 const glm::dvec3 sent = (*maps[k])(n).xyz, along = world_from_object(p, t).xyz;
                 const double lengths = glm::length(sent) * glm::length(along);
-                if (lengths > 0.0) *result[k] = std::max(*result[k], std::abs(glm::dot(sent, along)) / lengths);
+                if (lengths > 0.0)
+                    result[k] = std::max(result[k].value_or(0.0), std::abs(glm::dot(sent, along)) / lengths);
             }
     }
     return result;

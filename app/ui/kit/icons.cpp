@@ -166,7 +166,7 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 col
     }
 }
 
-void draw_arrow(ImDrawList& list, ArrowKind kind, ImVec2 from, ImVec2 to, float thickness, ImU32 color) {
+void draw_arrow(ImDrawList& list, ArrowLook look, ImVec2 from, ImVec2 to, float thickness, ImU32 color) {
     const float dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
     if (length <= 0.0f) return;
     const ImVec2 along(dx / length, dy / length), across(-along.y, along.x);
@@ -175,23 +175,23 @@ void draw_arrow(ImDrawList& list, ArrowKind kind, ImVec2 from, ImVec2 to, float 
     };
     const float head = std::min(0.5f * length, 3.6f * thickness), neck = length - head, half = 1.7f * thickness;
 
-    if (kind == ArrowKind::Naive) {
+    if (look == ArrowLook::Dashed) {
         const float dash = neck / 5.0f;
         for (int i = 0; i < 5; i += 2)
             list.AddLine(at(static_cast<float>(i) * dash, 0), at(static_cast<float>(i + 1) * dash, 0), color,
                          thickness);
-    } else if (kind == ArrowKind::Cofactor) {
+    } else if (look == ArrowLook::TwoHeads) {
         for (const float side : {-0.6f, 0.6f})
             list.AddLine(at(0, side * thickness), at(neck, side * thickness), color, 0.6f * thickness);
     } else {
-        list.AddLine(at(0, 0), at(neck, 0), color, kind == ArrowKind::Object ? 0.6f * thickness : thickness);
+        list.AddLine(at(0, 0), at(neck, 0), color, look == ArrowLook::Hollow ? 0.6f * thickness : thickness);
     }
-    if (kind == ArrowKind::Object)
+    if (look == ArrowLook::Hollow)
         list.AddTriangle(at(neck, -half), at(neck, half), at(length, 0), color, 0.6f * thickness);
     else
         list.AddTriangleFilled(at(neck, -half), at(length, 0), at(neck, half), color);
     const float back = ArrowProportions::kToSecondHead * head;
-    if (kind == ArrowKind::Cofactor)  // two heads, as in the picture
+    if (look == ArrowLook::TwoHeads)  // two heads, as in the picture
         list.AddTriangleFilled(at(neck - back, -half), at(length - back, 0), at(neck - back, half), color);
 }
 

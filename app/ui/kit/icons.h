@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/picture/frame.h"
 #include "core/scene/scene.h"
 #include "ui/kit/style.h"
 
@@ -38,6 +39,6 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 col
 
 /// An arrow as the picture draws it, in a shape of its own for each kind, since colour alone tells not everyone apart:
 /// the object's is hollow, the naive one dashed, the cofactor's double.
-void draw_arrow(ImDrawList& list, ArrowKind kind, ImVec2 from, ImVec2 to, float thickness, ImU32 color);
+void draw_arrow(ImDrawList& list, ArrowLook look, ImVec2 from, ImVec2 to, float thickness, ImU32 color);
 
 }  // namespace normalscope

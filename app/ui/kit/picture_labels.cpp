@@ -124,7 +124,7 @@ public:
         card(low, {low.x + size.x, low.y + size.y});
         float y = low.y + look_.px(7) + row() / 2;
         for (const LegendEntry& entry : entries) {
-            draw_arrow(list_, entry.kind, {low.x + look_.px(12), y}, {low.x + look_.px(42), y}, look_.px(3),
+            draw_arrow(list_, entry.look, {low.x + look_.px(12), y}, {low.x + look_.px(42), y}, look_.px(3),
                        packed(to_imgui(entry.color)));
             plain(look_.fonts.small, {low.x + look_.px(51), y - look_.fonts.small->FontSize / 2},
                   to_imgui(colors_.text), entry.text);

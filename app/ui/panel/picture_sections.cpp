@@ -46,7 +46,7 @@ void arrow_kinds(const Look& look, Scene& scene, const Frame& frame) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         const float y = at.y + ImGui::GetFrameHeight() / 2;
         const glm::vec3 color = arrow_color(kind, look.theme);
-        draw_arrow(*ImGui::GetWindowDrawList(), kind, {at.x, y}, {at.x + look.px(26), y}, look.px(3),
+        draw_arrow(*ImGui::GetWindowDrawList(), arrow_look(kind), {at.x, y}, {at.x + look.px(26), y}, look.px(3),
                    packed(to_imgui(color)));
         ImGui::SetCursorScreenPos({at.x + look.px(33), at.y});
         ImGui::AlignTextToFramePadding();

@@ -75,7 +75,7 @@ void button(const Look& look, const Scene& scene, const RuleButton& b, bool exis
                      {std::round((low.x + high.x - extent.x) / 2), std::round(middle - font->FontSize / 2)},
                      packed(ink_color), words.data(), words.data() + words.size());
     };
-    draw_arrow(list, arrow_kind(b.rule), {low.x + look.px(10), low.y + look.px(13)},
+    draw_arrow(list, arrow_look(arrow_kind(b.rule)), {low.x + look.px(10), low.y + look.px(13)},
                {low.x + look.px(38), low.y + look.px(13)}, look.px(3), packed(tint));
     const ImVec2 key = look.fonts.small->CalcTextSizeA(look.fonts.small->FontSize, 1e9f, 0, b.key);
     list.AddText(look.fonts.small, look.fonts.small->FontSize, {high.x - key.x - look.px(8), low.y + look.px(4)},

@@ -70,13 +70,17 @@ void shape_picker(Scene& scene, PanelMemory& memory, const PanelContext& context
                   .c_str());
 }
 
-// Without M⁻¹ no ray goes to object space.
-bool drawn_by_triangles(const Scene& scene) {
+// Why a formula's surface is drawn by triangles; empty where it is met by rays.
+std::string_view why_triangles(const Scene& scene) {
+    if (!std::holds_alternative<FormulaSurface>(scene.surface)) return {};
     try {
-        return std::holds_alternative<FormulaSurface>(scene.surface) && !world_from_object(scene).inverse();
+        const Transform<World, Object> m = world_from_object(scene);
+        if (!m.inverse()) return "M has no inverse, so no ray goes to object space: what is drawn are these triangles.";
+        if (!m.affine()) return "M is not affine, and a ray may pass infinity: what is drawn are these triangles.";
     } catch (const InputError&) {  // said elsewhere
-        return false;
+        return {};
     }
+    return {};
 }
 
 void wrapped_line(std::string_view text) {
@@ -111,8 +115,7 @@ void surface_section(Scene& scene, PanelMemory& memory, const PanelContext& cont
                        grouped(mesh.positions.size()) + " vertices");
     if (!std::holds_alternative<FormulaSurface>(scene.surface))
         for (const std::string& note : mesh.notes) wrapped_line(note);
-    if (drawn_by_triangles(scene))
-        wrapped_line("M has no inverse, so no ray goes to object space: what is drawn are these triangles.");
+    if (const std::string_view why = why_triangles(scene); !why.empty()) wrapped_line(why);
     ImGui::PopFont();
 }
 
