@@ -80,7 +80,8 @@ void GivenPicture::add_to(CLI::App& app, PictureArguments& arguments) {
     add_context(app, context);
     app.add_flag("--panel", arguments.panel, "Draw the interface too");
     add(app, "--tab", arguments.tab, "NAME",
-        "Draw the interface, with a tab open beside the picture: " + alternatives(tab_names()));
+        "Draw the interface, with a tab open beside the picture: " + alternatives(tab_names()) +
+            "; derivation#5 is at its fifth line");
     app.add_flag("--captions", arguments.captions, "Draw what a lesson's step says below the picture: with NAME#n");
     add_settings(app, arguments.settings);
 }

@@ -34,6 +34,7 @@ bool has_words(const Frame& frame) {
 }
 
 std::string unknown_tab(const std::string& tab) {
+    if (tab.starts_with("derivation#")) return "--tab " + tab + ": its lines are derivation#1 to derivation#12";
     return "--tab " + tab + ": there is no such tab; known: " + joined(tab_names(), " ");
 }
 
@@ -135,7 +136,11 @@ Capture Studio::draw(const Scene& scene, const CaptureOptions& options, const st
     } const forget{equipment_->gui, interface};
     const PixelRect rect =
         interface ? equipment_->open_interface(scene, options, scale) : PixelRect{{0, 0}, options.size};
-    Frame frame = make_frame(scene, surface, {.rect = rect, .pixel_scale = scale, .handles = options.panel});
+    Frame frame = make_frame(scene, surface,
+                             {.rect = rect,
+                              .pixel_scale = scale,
+                              .handles = options.panel,
+                              .derivation = interface ? equipment_->gui->interface.derivation_line() : std::nullopt});
     if (plain_ground) {
         frame.plain_ground = plain_ground;
         frame.ground_height.reset();

@@ -278,6 +278,9 @@ void Interface::show_derivation(bool shown) {
         state_->side.open.reset();
 }
 bool Interface::derivation_shown() const { return state_->side.open == kDerivation; }
+std::optional<DerivationAt> Interface::derivation_line() const {
+    return derivation_shown() && !state_->lecture.exercises.running() ? state_->derivation.current() : std::nullopt;
+}
 std::optional<Highlight> Interface::highlighted() const { return state_->derivation.pointed_at(); }
 void Interface::highlight(const std::optional<Highlight>& in_picture) { state_->derivation.highlight(in_picture); }
 
@@ -287,10 +290,13 @@ std::string_view Interface::message() const { return state_->messages.text(); }
 double Interface::redraw_after() const { return std::min(state_->wake, state_->messages.redraw_after()); }
 
 bool Interface::show_tab(std::string_view id) {
+    const auto line = line_of_tab(id);
+    if (line) id = kTabs[kDerivation].name;
     const auto found = std::ranges::find(kTabs, id, &Tab::name);
     if (found == kTabs.end() && !id.empty()) return false;
     state_->side.open.reset();
     if (!id.empty()) state_->side.open = static_cast<std::size_t>(found - kTabs.begin());
+    if (line) state_->derivation.step_from(*line);
     return true;
 }
 bool Interface::typing_formula() const { return state_->panel.formula.typing(); }

@@ -2,6 +2,7 @@
 
 #include "core/lessons/lesson.h"
 #include "core/math/highlight.h"
+#include "core/picture/carried_arrows.h"
 #include "core/picture/frame.h"
 #include "core/scene/scene.h"
 #include "ui/kit/requests.h"
@@ -47,6 +48,8 @@ public:
     /// The derivation, at the right of the picture; key D.
     void show_derivation(bool shown);
     bool derivation_shown() const;
+    /// The line at which the derivation stands, where it is gone through step by step: the picture shows its arrows.
+    std::optional<DerivationAt> derivation_line() const;
     /// What the pointer is on in the derivation, as of the last draw: the picture lights it up.
     std::optional<Highlight> highlighted() const;
     /// What the pointer is on in the picture: the derivation lights it up, until told otherwise.
@@ -56,7 +59,8 @@ public:
     /// that, Dear ImGui needs two more frames after each event to settle.
     double redraw_after() const;
 
-    /// Opens a tab beside the picture, by its name (core/lessons/tabs.h); an empty one closes it. False for an unknown name.
+    /// Opens a tab beside the picture, by its name (core/lessons/tabs.h); an empty one closes it. "derivation#5" is gone
+    /// through step by step, from the fifth line on. False for an unknown name.
     bool show_tab(std::string_view id);
     /// While the stack or a lesson is being played the scene changes by itself: what it goes through is nothing to be
     /// undone.

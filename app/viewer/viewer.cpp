@@ -14,6 +14,7 @@ namespace {
 
 // Dear ImGui settles over a few frames after an event: a hovered button lights up in the next one.
 constexpr int kFramesAfterEvent = 3;
+constexpr double kCarrying = 0.9;      // seconds from one space to the other, for the derivation's arrows
 constexpr double kLookForFile = 0.05;  // seconds, while one is being read
 
 bool is_more_than_a_scene(const Opened& opened) { return opened.lesson || opened.exercises; }
@@ -51,6 +52,15 @@ std::optional<Swing::Powers> Viewer::swinging() const {
     return swing_ ? swing_->at(host_.now(), document_.scene) : std::nullopt;
 }
 
+std::optional<DerivationAt> Viewer::derivation_at(Marks marks) const {
+    auto at = gui_.interface.derivation_line();
+    if (at && marks == Marks::WithHandles && carrying_since_) {
+        const double t = std::clamp((host_.now() - *carrying_since_) / kCarrying, 0.0, 1.0);
+        at->carried = t * t * (3.0 - 2.0 * t);
+    }
+    return at;
+}
+
 float Viewer::scale() const { return scale_.of(host_.content_scale(), host_.framebuffer_size(), presenting()); }
 
 std::optional<WorldBall> Viewer::surface_ball() const {
@@ -63,14 +73,15 @@ std::optional<WorldBall> Viewer::surface_ball() const {
 void Viewer::wake() { frames_wanted_ = kFramesAfterEvent; }
 
 double Viewer::due() const {
-    if (frames_wanted_ > 0 || swing_) return 0.0;
+    if (frames_wanted_ > 0 || swing_ || carrying_since_) return 0.0;
     const double wait = std::max(wake_at() - host_.now(), 0.0);
     return opening_ ? std::min(wait, kLookForFile) : wait;
 }
 
 void Viewer::step() {
-    if (opening_ || swing_) frames_wanted_ = std::max(frames_wanted_, 1);
+    if (opening_ || swing_ || carrying_since_) frames_wanted_ = std::max(frames_wanted_, 1);
     if (!swinging()) swing_.reset();
+    if (carrying_since_ && host_.now() - *carrying_since_ >= kCarrying) carrying_since_.reset();
     finish_opening();
     if (host_.now() >= wake_at()) frames_wanted_ = std::max(frames_wanted_, 1);
     if (frames_wanted_ == 0) return;
@@ -104,10 +115,10 @@ Frame Viewer::frame_now(Marks marks) {
         const auto swing = marks == Marks::AsSaved ? std::nullopt : swinging();
         Scene seen = shown_scene();
         if (swing) seen.power = swing->naive;
-        const Quality quality = marks == Marks::AsSaved                     ? Quality::Fine
-                                : gui_.interface.typing_formula()           ? Quality::Sketch
-                                : pointer_.busy() || gui_.moving() || swing ? Quality::Draft
-                                                                            : Quality::Fine;
+        const Quality quality = marks == Marks::AsSaved                                        ? Quality::Fine
+                                : gui_.interface.typing_formula()                              ? Quality::Sketch
+                                : pointer_.busy() || gui_.moving() || swing || carrying_since_ ? Quality::Draft
+                                                                                               : Quality::Fine;
         Frame frame = make_frame(seen, surface,
                                  {.rect = gui_.interface.picture(host_.framebuffer_size()),
                                   .pixel_scale = scale(),
@@ -116,6 +127,7 @@ Frame Viewer::frame_now(Marks marks) {
                                   .handles = marks == Marks::WithHandles,
                                   .quality = quality,
                                   .level_sets = level_sets_.get(document_.scene, surface->implicit),
+                                  .derivation = derivation_at(marks),
                                   .right_power = swing.value_or(Swing::Powers{}).right});
         lecture().exercises.add_to(frame, document_.scene, scale());
         return frame;
@@ -153,7 +165,13 @@ Requests Viewer::compose() {
     const Scene before = document_.scene;
     const std::optional<Highlight> lit = gui_.interface.highlighted();
     const Requests requests = lay_out();
-    if (document_.scene != before || gui_.interface.highlighted() != lit) {
+    const auto line = gui_.interface.derivation_line();
+    const bool other_line = line != line_;
+    if (other_line) {
+        line_ = line;
+        carrying_since_ = motion_ && line && carries(line->line) ? std::optional(host_.now()) : std::nullopt;
+    }
+    if (document_.scene != before || gui_.interface.highlighted() != lit || other_line) {
         frame_ =
             frame_now(Marks::WithHandles);  // so that the picture follows slider and pointer without a frame's delay
         wake();
@@ -169,8 +187,17 @@ void Viewer::draw() {
     const bool quick = frame_->quality != Quality::Fine;
     const bool rough = pace_.rough(quick) || (quick && frame_->surface->implicit);
     const auto arrow = exercising() ? std::optional(lecture().exercises.arrow()) : std::nullopt;
-    Drawn now{host_.framebuffer_size(),     shown_scene(),   frame_->surface, frame_->rect, pointer_.hot_axis(),
-              gui_.interface.highlighted(), frame_->quality, rough,           -1.0,         arrow};
+    Drawn now{host_.framebuffer_size(),
+              shown_scene(),
+              frame_->surface,
+              frame_->rect,
+              pointer_.hot_axis(),
+              gui_.interface.highlighted(),
+              frame_->quality,
+              rough,
+              -1.0,
+              derivation_at(Marks::WithHandles),
+              arrow};
     if (const auto swing = swinging()) now.scene.power = swing->naive, now.right_power = swing->right;
     host_.draw({*frame_, drawn_ != now, rough, pace_.coarse(), quick});
     drawn_ = now;

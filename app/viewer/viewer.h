@@ -73,6 +73,7 @@ private:
     double wake_at() const { return laid_out_at_ + gui_.interface.redraw_after(); }
 
     // What is seen: viewer.cpp
+    enum class Marks { WithHandles, AsSaved };
     bool has_room() const;
     /// A mesh's file may be gone by now: then this is said.
     bool can_be_drawn(const Scene& scene);
@@ -83,7 +84,6 @@ private:
     Requests lay_out();
     /// Until the interface knows of all input so far.
     void catch_up();
-    enum class Marks { WithHandles, AsSaved };
     Frame frame_now(Marks marks);
     void obey(const Requests& requests);
     /// The surface with its arrows; empty where there is none.
@@ -92,6 +92,8 @@ private:
     Scene shown_scene() const;
     /// How the rules' arrows stand, as long as they swing to their place.
     std::optional<Swing::Powers> swinging() const;
+    /// The derivation's line in the picture; `marks` as saved: with all that it carries at its end.
+    std::optional<DerivationAt> derivation_at(Marks marks) const;
     /// Physical pixels per logical one, as desktop, user and room want it.
     float scale() const;
 
@@ -142,6 +144,8 @@ private:
 
     bool motion_ = true;  ///< nothing moves by itself where it is unwanted
     std::optional<Swing> swing_;
+    std::optional<DerivationAt> line_;      ///< of the derivation, as of the last round
+    std::optional<double> carrying_since_;  ///< its arrows are on their way, by the host's clock
 
     Document document_;
     std::shared_ptr<Origin> origin_before_exercises_;
@@ -168,6 +172,7 @@ private:
         Quality quality = Quality::Fine;
         bool rough = false;
         double right_power = -1.0;
+        std::optional<DerivationAt> derivation;
         std::optional<Vector<World>> arrow;
         friend bool operator==(const Drawn&, const Drawn&) = default;
     };

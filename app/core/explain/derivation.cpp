@@ -1,5 +1,7 @@
 #include "core/explain/derivation.h"
 
+#include "core/base/decimal.h"
+
 #include <cmath>
 
 namespace normalscope {
@@ -154,6 +156,23 @@ HomogeneousDemo homogeneous(const Transform<World, Object>& m, int factors, cons
 }
 
 }  // namespace
+
+std::string written_out(const Step& step) {
+    const Expression& left = step.left();
+    if (left.kind != Expression::Kind::Dot || !left.value) return {};
+    const auto &a = left.operands[0].value, &b = left.operands[1].value;
+    if (!a || !b || a->rows != 3 || b->rows != 3) return {};
+    // As the matrices beside it have them.
+    const auto number = [](double x) { return x >= 5e-4 && x < 1000.0 ? with_decimals(x, 3) : number_text(x, 0.0, 3); };
+    std::string text;
+    for (int r = 0; r < 3; ++r) {
+        const double x = a->clean(r, 0), y = b->clean(r, 0);
+        const bool minus = x * y < 0.0;
+        text += r == 0 ? (minus ? "−" : "") : minus ? " − " : " + ";
+        text += number(std::abs(x)) + "·" + number(std::abs(y));
+    }
+    return text + " = " + (step.state == Step::State::Holds ? "0" : number_text(*left.value, 0, 0, 3));
+}
 
 std::string_view name(Step::State state) {
     constexpr std::array<std::string_view, 3> kNames{"holds", "fails", "no-value"};

@@ -29,6 +29,10 @@ struct Step {
     const Expression& right() const { return line.operands[1]; }
 };
 
+/// A line that is a dot product, as one works it out by hand: "0.759·0.418 + 0.549·0 − 0.350·0.908 = 0". Empty for any
+/// other, and where a side has no value.
+std::string written_out(const Step& step);
+
 std::string_view name(Step::State state);  ///< "holds", "fails", "no-value"
 
 /// One rule's normal, held against the tangents.

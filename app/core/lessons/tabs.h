@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +27,18 @@ inline std::vector<std::string> tab_names() {
     std::vector<std::string> names;
     for (const Tab& tab : kTabs) names.emplace_back(tab.name);
     return names;
+}
+
+/// The line, counted from 0, that "derivation#5" asks for; empty for anything else.
+inline std::optional<std::size_t> line_of_tab(std::string_view tab) {
+    constexpr std::string_view kBefore = "derivation#";
+    constexpr std::size_t kMostLines = 12;  // the check and the last column of M are the last two
+    if (!tab.starts_with(kBefore)) return std::nullopt;
+    const std::string digits(tab.substr(kBefore.size()));
+    if (digits.empty() || digits.size() > 2 || digits.find_first_not_of("0123456789") != std::string::npos)
+        return std::nullopt;
+    const std::size_t line = std::stoul(digits);
+    return line >= 1 && line <= kMostLines ? std::optional(line - 1) : std::nullopt;
 }
 
 }  // namespace normalscope

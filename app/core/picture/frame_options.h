@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/math/highlight.h"
+#include "core/picture/carried_arrows.h"
 #include "core/picture/frame.h"
 #include "core/surface/level_sets.h"
 
@@ -18,6 +19,8 @@ struct FrameOptions {
     Quality quality = Quality::Fine;
     /// The scene's (LevelSetsCache); null: they are made anew.
     std::shared_ptr<const LevelSets> level_sets{};
+    /// The line of the derivation that the picture shows, in place of the rules' arrows.
+    std::optional<DerivationAt> derivation{};
     double right_power = -1.0;  ///< of the inverse transpose's arrows and light, as of normal_map
     double unit = 1.0;          ///< as Frame::unit; make_frame finds it
 };

@@ -2,6 +2,7 @@
 
 #include "core/picture/axis_handles.h"
 #include "core/picture/decomposition_marks.h"
+#include "core/picture/derivation_marks.h"
 #include "core/picture/drawn_arrows.h"
 #include "core/picture/knobs.h"
 #include "core/picture/picture_scale.h"
@@ -272,6 +273,13 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         bare.show.ghost = false;
         return make_frame(bare, std::move(surface), given);
     }
+    if (given.derivation && (scene.show.probe || scene.show.tangent_plane || scene.show.sheets)) {
+        Scene bare = scene;  // one thing at a time
+        bare.show.probe = bare.show.tangent_plane = bare.show.sheets = false;
+        bare.arrows.show = std::vector<ArrowKind>{};
+        bare.show.legend = false;
+        return make_frame(bare, std::move(surface), given);
+    }
     const WorldFromObject m = world_from_object(scene);
     FrameOptions options = given;
     // Within a large object, or close to it, arrows and marks as large as that would be all that one sees.
@@ -289,8 +297,8 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         frame.error_maps = {scaled_for_floats(*shown), scaled_for_floats({.matrix = planes}).matrix};
     }
     // At rest on the object, the ghost would only flicker.
-    const bool ghost =
-        scene.show.ghost && (scene.view == ViewMode::Overlay || scene.ray) && m.matrix() != glm::dmat4(1.0);
+    const bool ghost = scene.show.ghost && (scene.view == ViewMode::Overlay || scene.ray || options.derivation) &&
+                       m.matrix() != glm::dmat4(1.0);
     if (scene.show.grid) frame.ground_height = ground_height(frame.surface->mesh, m, ghost, options.unit);
     frame.shadow_from_ground = casts_shadow(*frame.surface) ? shadow_disc(m, options.unit) : kNoShadow;
     frame.panes = empty_panes(scene, options.rect);
@@ -315,6 +323,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         add_arrows(pane, scene, m, options);
         if (scene.show.axes) add_axes(pane, scene, frame.surface->extent, options);
         if (frame.probe) add_probe_marks(pane, scene, *frame.probe, drawn_arrows(scene, m, pane.rule), options);
+        if (frame.probe && options.derivation) add_derivation_marks(pane, scene, *frame.probe, m, options);
         add_sheet_marks(pane, scene, frame, m, ghost, options);
         if (frame.singular) add_singular_marks(pane, scene, *frame.singular, m, options);
         if (options.handles) add_knobs(pane, scene, m, options);

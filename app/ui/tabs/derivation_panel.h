@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/math/highlight.h"
+#include "core/picture/carried_arrows.h"
 #include "core/picture/frame.h"
 #include "core/scene/scene.h"
 #include "ui/tabs/derivation_passages.h"
@@ -23,6 +24,13 @@ public:
     /// The laid-out lines hold fonts: to be called when these are made anew.
     void forget_layout() { laid_out_for_.reset(); }
 
+    /// Line by line, beginning at this one.
+    void step_from(std::size_t line) { stepping_ = true, current_ = line, scroll_frames_ = 3; }
+    /// The line that is looked at, and v_obj's tangent; empty where all of them are, or it is none of the derivation's own.
+    std::optional<DerivationAt> current() const {
+        if (!stepping_ || current_ >= kDerivationLines) return std::nullopt;
+        return DerivationAt{static_cast<DerivationLine>(current_), tangent_};
+    }
     std::optional<Highlight> pointed_at() const { return pointed_at_; }
     void highlight(const std::optional<Highlight>& in_picture) { in_picture_ = in_picture; }
 

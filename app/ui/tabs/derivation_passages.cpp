@@ -1,6 +1,7 @@
 #include "ui/tabs/derivation_passages.h"
 
 #include <algorithm>
+#include <string>
 
 namespace normalscope {
 
@@ -49,6 +50,8 @@ std::vector<Passage> passages(const Look& look, const Derivation& derivation, co
         Passage passage{.title = {}, .state = step.state, .rows = {}};
         passage.rows.push_back({std::move(equations[i].box), i, 0.0f});
         passage.rows.push_back({paragraph(style, step.reason, width, Ink::Dim, by), 0, look.px(6)});
+        if (const std::string sum = shown.numbers ? written_out(step) : std::string(); !sum.empty())
+            passage.rows.push_back({paragraph(style, sum, width, Ink::Plain, by), 0, look.px(6)});
         if (!step.remark.empty()) {
             const Ink ink = step.state == Step::State::Fails ? Ink::Bad : Ink::Plain;
             passage.rows.push_back({paragraph(style, step.remark, width, ink, by), 0, look.px(8)});

@@ -97,6 +97,16 @@ TEST(Derivation, EveryLineIsWhatItClaims) {
     EXPECT_GT(ill_conditioned, 1000);
 }
 
+TEST(Derivation, DotProductsAreWrittenOut) {
+    const Transform<World, Object> m(matrix(Scale{{0.5, 2, 1}}));
+    const Probe probe{{{0.6, 0.8, 0}}, {{0.6, 0.8, 0}}, {Vector<Object>{{-0.8, 0.6, 0}}, Vector<Object>{{0, 0, 1}}}};
+    const Derivation d = derivation(m, 1, probe);
+    EXPECT_EQ(written_out(d.steps[0]), "−0.600·0.800 + 0.800·0.600 + 0·0 = 0");
+    EXPECT_EQ(written_out(d.steps[1]), "−1.200·0.400 + 0.400·1.200 + 0·0 = 0");
+    EXPECT_EQ(written_out(d.steps[3]), "");  // a product of matrices
+    EXPECT_EQ(written_out(derivation(m, 1, std::nullopt).steps[0]), "");
+}
+
 TEST(Derivation, ResidualsAgainstTheLengthsStayNearTheirFloor) {
     // Relative to |n| |t| no arithmetic in double can do better than ε times the condition number: M t itself is rounded.
     Random random(12);

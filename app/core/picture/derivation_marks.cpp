@@ -1,0 +1,62 @@
+#include "core/picture/derivation_marks.h"
+
+#include "core/picture/label_room.h"
+#include "core/picture/solids.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+
+namespace normalscope {
+
+void add_derivation_marks(Pane& pane, const Scene& scene, const ProbeInWorld& probe,
+                          const Transform<World, Object>& world_from_object, const FrameOptions& options) {
+    const CarriedArrows shown = carried_arrows(*options.derivation, probe, world_from_object);
+    const double pixel = options.pixel_scale * pane.view.world_per_pixel(probe.point);
+    const double unit = std::max(4.6 * options.unit * scene.arrows.length, 70.0 * pixel);  // as the probe's own
+    const double radius = std::max(0.022 * unit, 1.7 * pixel);
+    // What M makes very long or short is still an arrow in the picture.
+    const auto drawn = [&](const CarriedArrow& arrow) {
+        const double length = glm::length(arrow.vector);
+        return length > 0.0 ? unit * std::clamp(length, 0.35, 2.2) / length * arrow.vector : arrow.vector;
+    };
+    const auto color_of = [&](const CarriedArrow& arrow) {
+        return arrow.meaning == Meaning::Object    ? arrow_color(ArrowKind::Object, scene.theme)
+               : arrow.meaning == Meaning::Tangent ? kTangentColor
+                                                   : kInverseTransposeColor;
+    };
+    LabelRoom room(pane, options.pixel_scale);
+    const auto add = [&](const CarriedArrow& arrow, double wide) {
+        const glm::vec4 color = glm::vec4(color_of(arrow), 1.0f);
+        if (arrow.quiet)
+            add_tube(pane.solids, std::array{arrow.base, arrow.base + drawn(arrow)}, 0.6 * pixel, color);
+        else
+            add_arrow(pane.solids, arrow.base, drawn(arrow), wide * radius, color);
+        room.keep_clear(arrow.base, arrow.base + drawn(arrow));
+    };
+    for (std::size_t i = 0; i < shown.arrows.size(); ++i) {
+        // Where one comes to lie on another both are seen: the later one goes around it, and ends a little before its tip.
+        const bool around = options.derivation->line == DerivationLine::SameDirection && i == 1;
+        CarriedArrow arrow = shown.arrows[i];
+        if (around) arrow.vector *= 0.72;
+        add(arrow, around ? 1.5 : 1.0);
+    }
+    for (const glm::dvec3& at : {probe.object.point.xyz, probe.point.xyz})
+        add_ball(pane.solids, at, 1.6 * radius, glm::vec4(theme_colors(scene.theme).text, 1.0f));
+    if (shown.right_angle) {
+        const CarriedArrow &a = shown.arrows[(*shown.right_angle)[0]], &b = shown.arrows[(*shown.right_angle)[1]];
+        const double side = 0.2 * unit;
+        const glm::dvec3 u = side * glm::normalize(a.vector), v = side * glm::normalize(b.vector);
+        add_tube(pane.solids, std::array{a.base + u, a.base + u + v, a.base + v}, 1.2 * pixel,
+                 glm::vec4(theme_colors(scene.theme).text, 1.0f));
+    }
+    for (const CarriedArrow& arrow : shown.arrows) {
+        const bool lies_on = options.derivation->line == DerivationLine::SameDirection;
+        const bool first = &arrow == shown.arrows.data();
+        room.put_beside(arrow.base + (lies_on && !first ? 0.5 : 1.0) * drawn(arrow), arrow.name, color_of(arrow));
+    }
+}
+
+}  // namespace normalscope

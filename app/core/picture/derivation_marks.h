@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/picture/frame.h"
+#include "core/picture/frame_options.h"
+
+namespace normalscope {
+
+/// The arrows of the derivation's current line, with their names, on the ghost and on the object.
+void add_derivation_marks(Pane& pane, const Scene& scene, const ProbeInWorld& probe,
+                          const Transform<World, Object>& world_from_object, const FrameOptions& options);
+
+}  // namespace normalscope

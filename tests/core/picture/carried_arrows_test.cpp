@@ -1,0 +1,113 @@
+// What the picture shows of the derivation, against the derivation's own numbers.
+
+#include "core/picture/carried_arrows.h"
+
+#include "core/explain/derivation.h"
+#include "core/picture/make_frame.h"
+#include "random.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace normalscope {
+namespace {
+
+glm::dvec3 vec(const Value& v) { return {v(0, 0), v(1, 0), v(2, 0)}; }
+
+struct Case {
+    Transform<World, Object> m;
+    ProbeInWorld probe;
+};
+Case any(Random& random) {
+    for (;;) {
+        glm::dmat4 matrix(random.matrix(2.0));
+        matrix[3] = glm::dvec4(random.vector(3.0), 1.0);
+        const Transform<World, Object> m(matrix);
+        if (m.rank() < 3 || *m.normal_matrices_by_rule().condition() > 100.0) continue;
+        return {m, in_world(probe_with({random.vector()}, {random.direction()}), m)};
+    }
+}
+const CarriedArrow& named(const CarriedArrows& shown, const std::string& name) {
+    return *std::ranges::find(shown.arrows, name, &CarriedArrow::name);
+}
+
+TEST(CarriedArrows, LinesAreTheDerivationsOwn) {
+    Random random(1);
+    const Case c = any(random);
+    const Derivation d = derivation(c.m, 1, c.probe.object);
+    ASSERT_EQ(d.steps.size(), kDerivationLines);
+    const auto id = [&](DerivationLine line) { return d.steps[static_cast<std::size_t>(line)].id; };
+    EXPECT_EQ(id(DerivationLine::Given), "given");
+    EXPECT_EQ(id(DerivationLine::Wanted), "wanted");
+    EXPECT_EQ(id(DerivationLine::Tangent), "tangent");
+    EXPECT_EQ(id(DerivationLine::AsDotProduct), "as-dot-product");
+    EXPECT_EQ(id(DerivationLine::SameDirection), "same-direction");
+    EXPECT_EQ(id(DerivationLine::Rule), "rule");
+}
+
+TEST(CarriedArrows, ArriveWhereTheDerivationsNumbersAre) {
+    Random random(2);
+    for (int i = 0; i < 200; ++i) {
+        const Case c = any(random);
+        const std::size_t tangent = i % 2 == 0 ? 0 : 1;
+        const Derivation d = derivation(c.m, 1, c.probe.object, tangent);
+        const auto of = [&](DerivationLine line) -> const Step& { return d.steps[static_cast<std::size_t>(line)]; };
+        const auto shown = [&](DerivationLine line, double carried = 1.0) {
+            return carried_arrows({line, tangent, carried}, c.probe, c.m);
+        };
+        const auto near = [](const glm::dvec3& a, const glm::dvec3& b) {
+            return glm::length(a - b) < 1e-9 * (1.0 + glm::length(b));
+        };
+        const CarriedArrow v = named(shown(DerivationLine::Tangent), "M₃ v object");
+        EXPECT_TRUE(near(v.vector, vec(*of(DerivationLine::Tangent).left().operands[1].value)));
+        EXPECT_TRUE(near(v.base, c.probe.point.xyz));
+        const CarriedArrow back = named(shown(DerivationLine::AsDotProduct), "M₃ᵀ n world");
+        EXPECT_TRUE(near(back.vector, vec(*of(DerivationLine::SameDirection).left().value)));
+        EXPECT_TRUE(near(back.vector, c.probe.object.normal.xyz));  // and lies on n_obj
+        EXPECT_TRUE(near(back.base, c.probe.object.point.xyz));
+        const CarriedArrow n = named(shown(DerivationLine::Rule), "(M₃⁻¹)ᵀ n object");
+        EXPECT_TRUE(near(n.vector, vec(*d.n_world)));
+
+        // On the way they begin where the line before had left them.
+        EXPECT_TRUE(near(named(shown(DerivationLine::Tangent, 0.0), "M₃ v object").vector,
+                         c.probe.object.tangents[tangent].xyz));
+        EXPECT_TRUE(
+            near(named(shown(DerivationLine::ProductOfTransposes, 0.0), "M₃ᵀ n world").vector, vec(*d.n_world)));
+        EXPECT_FALSE(shown(DerivationLine::Tangent, 0.5).right_angle);
+        for (int line = 0; line < static_cast<int>(kDerivationLines); ++line) {
+            const CarriedArrows all = shown(static_cast<DerivationLine>(line));
+            ASSERT_FALSE(all.arrows.empty());
+            if (!all.right_angle) continue;
+            const auto [a, b] = *all.right_angle;
+            EXPECT_NEAR(*angle_degrees(all.arrows[a].vector, all.arrows[b].vector), 90.0, 1e-7) << line;
+        }
+    }
+}
+
+TEST(CarriedArrows, StandInThePictureInPlaceOfTheRules) {
+    SurfaceCache surfaces;
+    const Scene scene{.stack = {Scale{{0.5, 2, 1}}, Translate{{1, 0, 0}}}};
+    const auto frame = [&](std::optional<DerivationAt> at) {
+        return make_frame(scene, surfaces.get(scene), {.rect = {{0, 0}, {640, 480}}, .derivation = at});
+    };
+    EXPECT_FALSE(frame(std::nullopt).panes[0].arrows.empty());
+    for (int line = 0; line < static_cast<int>(kDerivationLines); ++line) {
+        const Frame shown = frame(DerivationAt{static_cast<DerivationLine>(line)});
+        EXPECT_TRUE(shown.panes[0].arrows.empty());
+        EXPECT_TRUE(std::ranges::any_of(shown.panes[0].labels, [](const Label& label) {
+            return label.text.ends_with("object") || label.text.ends_with("world");
+        }));
+    }
+}
+
+TEST(CarriedArrows, NothingIsCarriedWhereThereIsNoNormal) {
+    Random random(3);
+    const Case c = any(random);
+    const Transform<World, Object> flat(matrix(Scale{{1, 0, 1}}));
+    EXPECT_TRUE(carried_arrows({}, in_world(c.probe.object, flat), flat).arrows.empty());
+}
+
+}  // namespace
+}  // namespace normalscope
