@@ -33,9 +33,11 @@ TEST(Settings, AreReadAsTheyWereWritten) {
         Settings settings;
         settings.place = {glm::ivec2(1000, 700), glm::ivec2(-30, 40), maximised};
         settings.monitor = "DP-1";
+        settings.remembered.motion = maximised;
         save_settings(settings);
         EXPECT_EQ(load_settings().place, settings.place);
         EXPECT_EQ(load_settings().monitor, settings.monitor);
+        EXPECT_EQ(load_settings().remembered.motion, settings.remembered.motion);
     }
 }
 

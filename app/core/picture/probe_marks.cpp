@@ -239,7 +239,7 @@ void add_probe_marks(Pane& pane, const Scene& scene, const ProbeInWorld& probe, 
     marks.plane();
     if (!scene.show.probe) return;
     marks.arrows();
-    marks.errors();
+    if (options.right_power == -1.0) marks.errors();  // what is still on its way says nothing of how far off it is
 }
 
 }  // namespace normalscope

@@ -6,6 +6,8 @@
 #include "ui/kit/widgets.h"
 #include "ui/panel/panel.h"
 
+#include <imgui_internal.h>  // TempInputIsActive: whether a number is being typed
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -86,7 +88,7 @@ void power_slider(const Look& look, Scene& scene, float width) {
     const double first = 1.0, last = -1.0;
     double power = scene.power;
     const ImVec4 nothing(0, 0, 0, 0);
-    const bool typing = ImGui::GetActiveID() == ImGui::GetID("##power") && ImGui::GetIO().WantTextInput;
+    const bool typing = ImGui::TempInputIsActive(ImGui::GetID("##power"));
     ImGui::SetNextItemWidth(width);
     for (const ImGuiCol part : {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive}) ImGui::PushStyleColor(part, nothing);
     ImGui::PushStyleColor(ImGuiCol_Text, typing ? look.text : nothing);
