@@ -28,6 +28,7 @@ public:
         : at_(at),
           object_(probe.object.point.xyz),
           world_(probe.point.xyz),
+          turned_(m3 * object_),
           n_obj_(probe.object.normal.xyz),
           v_obj_(probe.object.tangents.at(at.tangent).xyz),
           n_world_(n_world),
@@ -52,7 +53,7 @@ public:
             case TransposedTwice: {
                 const double t = at_.line == Tangent ? at_.carried : 1.0;
                 add(world_, n_world_, "n world", Meaning::InverseTranspose);
-                carry({object_, world_}, {v_obj_, v_world_}, t, "M₃ v object", Meaning::Tangent);
+                carry(v_obj_, v_world_, t, "M₃ v object", Meaning::Tangent);
                 add(object_, v_obj_, "v object", Meaning::Tangent, true);
                 if (t >= 1.0) result_.right_angle = {0, 1};
                 break;
@@ -61,7 +62,7 @@ public:
             case AsDotProduct: {
                 const double t = at_.line == ProductOfTransposes ? at_.carried : 1.0;
                 add(object_, v_obj_, "v object", Meaning::Tangent);
-                carry({world_, object_}, {n_world_, back_}, t, "M₃ᵀ n world", Meaning::InverseTranspose);
+                carry(back_, n_world_, 1.0 - t, "M₃ᵀ n world", Meaning::InverseTranspose);
                 add(world_, n_world_, "n world", Meaning::InverseTranspose, true);
                 if (t >= 1.0) result_.right_angle = {0, 1};
                 break;
@@ -72,7 +73,7 @@ public:
                 break;
             case Solved:
             case Rule:
-                carry({object_, world_}, {n_obj_, n_world_}, at_.line == Solved ? at_.carried : 1.0, "(M₃⁻¹)ᵀ n object",
+                carry(n_obj_, n_world_, at_.line == Solved ? at_.carried : 1.0, "(M₃⁻¹)ᵀ n object",
                       Meaning::InverseTranspose);
                 add(world_, v_world_, "v world", Meaning::Tangent);
                 add(object_, n_obj_, "n object", Meaning::Object, true);
@@ -86,13 +87,21 @@ private:
     void add(const glm::dvec3& base, const glm::dvec3& vector, std::string name, Meaning meaning, bool quiet = false) {
         result_.arrows.push_back({base, vector, std::move(name), meaning, quiet});
     }
-    void carry(const std::array<glm::dvec3, 2>& bases, const std::array<glm::dvec3, 2>& vectors, double t,
-               std::string name, Meaning meaning) {
-        add(glm::mix(bases[0], bases[1], t), between(vectors[0], vectors[1], t), std::move(name), meaning);
+    // From the object, at 0, to the world, at 1: M3 first, and then the translation, which moves the place and leaves the
+    // vector as it is.
+    void carry(const glm::dvec3& in_object, const glm::dvec3& in_world, double t, std::string name, Meaning meaning) {
+        const bool translates = glm::length(world_ - turned_) > 1e-9 * (1.0 + glm::length(world_));
+        const double by_m3 = translates ? 0.6 : 1.0;  // of the time
+        const double share = std::min(t / by_m3, 1.0);
+        const glm::dvec3 base = t < by_m3 || !translates ? glm::mix(object_, translates ? turned_ : world_, share)
+                                                         : glm::mix(turned_, world_, (t - by_m3) / (1.0 - by_m3));
+        add(base, between(in_object, in_world, share), std::move(name), meaning);
     }
 
     const DerivationAt& at_;
-    glm::dvec3 object_, world_, n_obj_, v_obj_, n_world_, v_world_;
+    glm::dvec3 object_, world_;
+    glm::dvec3 turned_;  ///< M3 p, before the translation
+    glm::dvec3 n_obj_, v_obj_, n_world_, v_world_;
     glm::dvec3 back_;  ///< M3ᵀ n_world
     CarriedArrows result_;
 };

@@ -86,6 +86,19 @@ TEST(CarriedArrows, ArriveWhereTheDerivationsNumbersAre) {
     }
 }
 
+TEST(CarriedArrows, ATranslationMovesThePlaceAndNotTheVector) {
+    const Transform<World, Object> m(product(std::vector<StackEntry>{Scale{{0.5, 2, 1}}, Translate{{3, 0, 0}}}));
+    const ProbeInWorld probe = in_world(probe_with({{0.6, 0.8, 0}}, {{0.6, 0.8, 0}}), m);
+    const auto carried = [&](double t) {
+        return named(carried_arrows({DerivationLine::Tangent, 1, t}, probe, m), "M₃ v object");
+    };
+    for (const double t : {0.7, 0.8, 0.9}) {
+        EXPECT_EQ(carried(t).vector, carried(1.0).vector);
+        EXPECT_GT(glm::length(carried(t).base - carried(1.0).base), 0.2);
+    }
+    EXPECT_GT(glm::length(carried(0.3).vector - carried(1.0).vector), 0.1);
+}
+
 TEST(CarriedArrows, StandInThePictureInPlaceOfTheRules) {
     SurfaceCache surfaces;
     const Scene scene{.stack = {Scale{{0.5, 2, 1}}, Translate{{1, 0, 0}}}};
