@@ -264,24 +264,28 @@ void add_title(Pane& pane, const Scene& scene) {
          rule_color(pane.rule)});
 }
 
+// What is drawn in the scene's place where all of it would be too much: from within the ghost, and where the derivation shows
+// arrows of its own.
+std::optional<Scene> with_less(const Scene& scene, bool derives) {
+    constexpr double kInTheWay = 0.02;  // of the ghost's size: so near to it, it is everywhere
+    Scene less = scene;
+    if (Camera::kFramedRadius / scene.camera.zoom < kInTheWay) less.show.ghost = false;
+    if (derives) {
+        less.show.probe = less.show.tangent_plane = less.show.sheets = less.show.legend = false;
+        less.arrows.show = std::vector<ArrowKind>{};
+    }
+    return less == scene ? std::nullopt : std::optional(std::move(less));
+}
+
 }  // namespace
 
 Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, const FrameOptions& given) {
-    constexpr double kInTheWay = 0.02;  // of the ghost's size: so near to it, it is everywhere
-    if (scene.show.ghost && Camera::kFramedRadius / scene.camera.zoom < kInTheWay) {
-        Scene bare = scene;
-        bare.show.ghost = false;
-        return make_frame(bare, std::move(surface), given);
-    }
-    if (given.derivation && (scene.show.probe || scene.show.tangent_plane || scene.show.sheets)) {
-        Scene bare = scene;  // one thing at a time
-        bare.show.probe = bare.show.tangent_plane = bare.show.sheets = false;
-        bare.arrows.show = std::vector<ArrowKind>{};
-        bare.show.legend = false;
-        return make_frame(bare, std::move(surface), given);
-    }
     const WorldFromObject m = world_from_object(scene);
+    // Where there is no inverse transpose, the derivation has no arrows to carry.
+    const bool derives = given.derivation && m.affine() && m.rank() == 3;
+    if (const auto less = with_less(scene, derives)) return make_frame(*less, std::move(surface), given);
     FrameOptions options = given;
+    if (!derives) options.derivation.reset();
     // Within a large object, or close to it, arrows and marks as large as that would be all that one sees.
     options.unit = std::min(picture_unit(*surface, m), std::max(1.0, Camera::kFramedRadius / scene.camera.zoom));
 

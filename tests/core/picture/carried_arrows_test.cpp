@@ -120,6 +120,12 @@ TEST(CarriedArrows, NothingIsCarriedWhereThereIsNoNormal) {
     const Case c = any(random);
     const Transform<World, Object> flat(matrix(Scale{{1, 0, 1}}));
     EXPECT_TRUE(carried_arrows({}, in_world(c.probe.object, flat), flat).arrows.empty());
+    // The picture is then as it is without the derivation.
+    SurfaceCache surfaces;
+    const Scene scene{.stack = {Scale{{1, 0, 1}}}};
+    const Frame shown =
+        make_frame(scene, surfaces.get(scene), {.rect = {{0, 0}, {640, 480}}, .derivation = DerivationAt{}});
+    EXPECT_FALSE(shown.panes[0].arrows.empty());
 }
 
 }  // namespace
