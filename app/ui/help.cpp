@@ -37,7 +37,7 @@ constexpr Line kLook[]{
 };
 constexpr Line kRulesKeys[]{
     {"N", "naive: M n"},          {"I", "inverse transpose: (M⁻¹)ᵀ n"},
-    {"C", "cofactor: cof(M) n"},  {"V", "next view: single, split, overlay"},
+    {"C", "cofactor: cof(M) n"},  {"V", "next view: single, split, overlay, flat"},
     {"G", "ghost of the object"}, {"E", "light, error map, normals"},
     {"T", "light or dark theme"},
 };

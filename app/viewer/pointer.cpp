@@ -16,6 +16,12 @@ constexpr double kDegreesPerPixel = 0.4;
 
 double wrapped(double degrees) { return std::remainder(degrees, 360.0); }
 
+void pan(Camera& camera, const Pane& pane, glm::dvec2 step, double scale) {
+    const double unit = pane.view.world_per_pixel(camera.target) * scale;
+    camera.target = camera.target + (-step.x * unit) * pane.view.right() + (step.y * unit) * pane.view.up();
+    camera.target.xyz = glm::clamp(camera.target.xyz, glm::dvec3(-1e6), glm::dvec3(1e6));
+}
+
 }  // namespace
 
 void Pointer::press(const Scene& scene, const Frame& frame, PointerButton button, float scale) {
@@ -25,13 +31,13 @@ void Pointer::press(const Scene& scene, const Frame& frame, PointerButton button
     moved_ = false;
     pressed_at_ = at_;
     scene_at_press_ = scene;
-    drag_ = !button.left ? Drag::Pan : Drag::Orbit;
+    drag_ = button.left ? Drag::Orbit : Drag::Pan;
     if (!button.left) return;
 
     const glm::dvec2 in_pane = at_ - glm::dvec2(pane->rect.origin);
     if (scene.show.axes)
-        if (const auto handle =
-                handle_at(axis_handles(scene, frame.surface->extent), pane->view, in_pane, kKnobReach * scale)) {
+        if (const auto handle = handle_at(handles_in_view(scene, frame.surface->extent, pane->view), pane->view,
+                                          in_pane, kKnobReach * scale)) {
             drag_ = Drag::Handle;
             handle_ = handle;
             uniform_ = button.shift;
@@ -46,7 +52,11 @@ void Pointer::press(const Scene& scene, const Frame& frame, PointerButton button
         knob_offset_ = glm::dvec2(pane->view.pixel(knob->at)) - in_pane;
         return;
     }
-    if (button.shift) drag_ = Drag::Light;
+    if (button.shift) {
+        if (!frame.flat) drag_ = Drag::Light;
+    } else if (holds_probe(scene, frame, world_from_object(scene), at_, kKnobReach * scale)) {
+        drag_ = Drag::Probe;
+    }
 }
 
 void Pointer::move(Scene& scene, const Frame& frame, glm::dvec2 pixel, float scale) {
@@ -56,7 +66,7 @@ void Pointer::move(Scene& scene, const Frame& frame, glm::dvec2 pixel, float sca
     if (drag_ == Drag::None) {
         hot_axis_.reset();
         if (const Pane* pane = pane_at(frame, at_); pane && scene.show.axes)
-            if (const auto handle = handle_at(axis_handles(scene, frame.surface->extent), pane->view,
+            if (const auto handle = handle_at(handles_in_view(scene, frame.surface->extent, pane->view), pane->view,
                                               at_ - glm::dvec2(pane->rect.origin), kKnobReach * scale))
                 hot_axis_ = handle->axis;
         return;
@@ -70,16 +80,11 @@ void Pointer::move(Scene& scene, const Frame& frame, glm::dvec2 pixel, float sca
     Camera& camera = scene.camera;
     switch (drag_) {
         case Drag::Orbit:
+            if (frame.flat) return pan(camera, *pane, whole_step, scale);  // a plane has no other side
             camera.azimuth = wrapped(camera.azimuth - kDegreesPerPixel * whole_step.x);
             camera.elevation = std::clamp(camera.elevation + kDegreesPerPixel * whole_step.y, -90.0, 90.0);
             break;
-        case Drag::Pan: {
-            const double unit = pane->view.world_per_pixel(camera.target) * scale;
-            camera.target =
-                camera.target + (-whole_step.x * unit) * pane->view.right() + (whole_step.y * unit) * pane->view.up();
-            camera.target.xyz = glm::clamp(camera.target.xyz, glm::dvec3(-1e6), glm::dvec3(1e6));
-            break;
-        }
+        case Drag::Pan: pan(camera, *pane, whole_step, scale); break;
         case Drag::Light:
             scene.light.azimuth = wrapped(scene.light.azimuth + kDegreesPerPixel * whole_step.x);
             scene.light.elevation = std::clamp(scene.light.elevation - kDegreesPerPixel * whole_step.y, -90.0, 90.0);
@@ -91,12 +96,15 @@ void Pointer::move(Scene& scene, const Frame& frame, glm::dvec2 pixel, float sca
         case Drag::Knob:
             scene = dragged(scene_at_press_, *knob_, pane->view, at_ - glm::dvec2(pane->rect.origin) + knob_offset_);
             break;
+        case Drag::Probe:
+            if (const auto point = probe_dragged(frame, *pane, world_from_object(scene), at_)) scene.probe = point;
+            break;
         case Drag::None: break;
     }
 }
 
 void Pointer::release(Scene& scene, const Frame& frame, float scale) {
-    if (drag_ == Drag::Orbit && !moved_) {
+    if ((drag_ == Drag::Orbit || drag_ == Drag::Probe) && !moved_) {
         if (const auto point = picked_point(frame, world_from_object(scene), at_, kArrowReach * scale))
             scene.probe = point;
     }

@@ -36,7 +36,7 @@ public:
     std::optional<int> hot_axis() const { return hot_axis_; }
 
 private:
-    enum class Drag { None, Orbit, Pan, Light, Handle, Knob };
+    enum class Drag { None, Orbit, Pan, Light, Handle, Knob, Probe };
 
     Drag drag_ = Drag::None;
     glm::dvec2 at_{0.0}, pressed_at_{0.0};

@@ -28,7 +28,7 @@ bool press_view_key(Scene& scene, ImGuiKey key) {
 
 bool press_object_key(Scene& scene, ImGuiKey key) {
     switch (key) {
-        case ImGuiKey_V: scene.view = static_cast<ViewMode>((static_cast<int>(scene.view) + 1) % 3); return true;
+        case ImGuiKey_V: scene.view = static_cast<ViewMode>((static_cast<int>(scene.view) + 1) % 4); return true;
         case ImGuiKey_E: scene.color = static_cast<SurfaceColor>((static_cast<int>(scene.color) + 1) % 3); return true;
         case ImGuiKey_G: scene.show.ghost = !scene.show.ghost; return true;
         case ImGuiKey_R: scene.stack = {Scale{}}; return true;

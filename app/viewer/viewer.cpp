@@ -128,6 +128,7 @@ Frame Viewer::frame_now(Marks marks) {
                                   .quality = quality,
                                   .level_sets = level_sets_.get(document_.scene, surface->implicit),
                                   .derivation = derivation_at(marks),
+                                  .flat_cut = flat_cut_.get(document_.scene, surface),
                                   .right_power = swing.value_or(Swing::Powers{}).right});
         lecture().exercises.add_to(frame, document_.scene, scale());
         return frame;

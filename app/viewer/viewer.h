@@ -140,6 +140,7 @@ private:
     Pace pace_;
     std::unique_ptr<SurfaceCache> surfaces_ = std::make_unique<SurfaceCache>();
     LevelSetsCache level_sets_;
+    FlatCutCache flat_cut_;
     ErrorsCache errors_;
 
     bool motion_ = true;  ///< nothing moves by itself where it is unwanted

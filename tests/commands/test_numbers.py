@@ -7,7 +7,7 @@ import unittest
 from support import CommandTest, close_to
 
 RULES = ["naive", "inverse-transpose", "cofactor"]
-KEYS = ["program", "renderer", "gl_version", "context", "mistake", "power", "M", "affine", "determinant", "rank", "condition", "normal_matrix", "error_degrees", "worst_dot", "surface", "probe"]
+KEYS = ["program", "renderer", "gl_version", "context", "mistake", "power", "M", "affine", "determinant", "rank", "condition", "normal_matrix", "error_degrees", "worst_dot", "surface", "probe", "flat"]
 PROBE_KEYS = ["point_object", "point_world", "n_object", "n_world", "tangents_object", "tangents_world", "dots", "f", "gradient"]
 
 

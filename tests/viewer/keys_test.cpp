@@ -27,6 +27,7 @@ TEST_F(ViewerTest, EachKeyChangesOneThingAndIsAStepToUndo) {
         {ImGuiKey_T, [](Scene& s) { s.theme = Theme::Dark; }},
         {ImGuiKey_V, [](Scene& s) { s.view = ViewMode::Split; }},
         {ImGuiKey_V, [](Scene& s) { s.view = ViewMode::Overlay; }},
+        {ImGuiKey_V, [](Scene& s) { s.view = ViewMode::Flat; }},
         {ImGuiKey_V, [](Scene& s) { s.view = ViewMode::Single; }},
         {ImGuiKey_R, [](Scene& s) { s.stack = {Scale{}}; }},
         {ImGuiKey_1, [](Scene& s) { s.camera.azimuth = 0, s.camera.elevation = 0; }},

@@ -220,5 +220,42 @@ TEST_F(MouseTest, WhateverIsLookedAtWhenTheObjectIsFlat) {
     EXPECT_EQ(scene().stack, before.stack);
 }
 
+TEST_F(MouseTest, TheProbeIsDraggedOverTheSurface) {
+    start(light("identity"));
+    const Scene before = scene();
+    click(pixel(toward_us_));  // from now on it is somewhere
+    const Scene placed = scene();
+    ASSERT_TRUE(placed.probe);
+    const glm::dvec3 to(std::sin(0.6) * std::cos(0.2), std::sin(0.2), std::cos(0.6) * std::cos(0.2));
+    drag({pixel(placed.probe->xyz), pixel(glm::normalize(toward_us_ + to)), pixel(to)});
+    ASSERT_TRUE(scene().probe);
+    EXPECT_LT(glm::length(scene().probe->xyz - to), 0.05);
+    EXPECT_EQ(scene().camera, placed.camera);
+    const Scene moved = scene();
+    // Beside the object it keeps to the outline.
+    drag({pixel(scene().probe->xyz), pixel({0, 3, 0})});
+    EXPECT_NEAR(glm::length(scene().probe->xyz), 1.0, 0.02);
+    EXPECT_GT(scene().probe->xyz.y, 0.8);
+    expect_undo({before, placed, moved, scene()});
+}
+
+TEST_F(MouseTest, InAFlatViewTheProbeFollowsTheCurveAndElsewhereADragPans) {
+    start(light("flat"));
+    while (scene().view != ViewMode::Flat) key(ImGuiKey_V);
+    const glm::dvec3 from(0.4, 1.2, 0), beyond(2, 0, 0);
+    drag({pixel(from), pixel({0.5, 0.6, 0}), pixel(beyond)});
+    ASSERT_TRUE(scene().probe);
+    EXPECT_LT(glm::length(scene().probe->xyz - glm::dvec3(1, 0, 0)), 0.06);
+    const Scene dragged = scene();
+    drag({ground(), ground() + glm::dvec2(40, -30)});
+    EXPECT_EQ(scene().camera.azimuth, dragged.camera.azimuth);
+    EXPECT_NE(scene().camera.target, dragged.camera.target);
+    EXPECT_EQ(scene().probe, dragged.probe);
+    // The axes' knobs stretch as ever; that of z would lie over the middle, and is not there.
+    drag({pixel({0, 2.3, 0}), pixel({0, 1.5, 0})});
+    EXPECT_LT(std::get<Scale>(scene().stack.at(0)).factors.y, 1.6);
+    EXPECT_EQ(std::get<Scale>(scene().stack.at(0)).factors.z, 1.0);
+}
+
 }  // namespace
 }  // namespace normalscope

@@ -42,6 +42,21 @@ Json probe_json(const ProbeInWorld& p, const ImplicitSurface* implicit) {
     return j;
 }
 
+Json flat_json(const FlatView& view) {
+    const auto pair = [](const auto& v) { return json_or_null(v, [](const glm::dvec2& p) { return json_vector(p); }); };
+    Json j;
+    j["curves"] = view.cut->curves.size();
+    j["length"] = json_number(view.cut->length);
+    j["plane_normal"] = json_vector(view.plane.normal);
+    j["n_object"] = pair(view.n_object);
+    j["n_world"] = json_by_rule(view.normals, pair);
+    j["tangent"] = pair(view.tangent);
+    j["error_degrees"] = json_or_null(view.error_degrees, json_number);
+    j["factors"] = json_by_rule(view.factors, pair);
+    j["note"] = view.note.empty() ? Json(nullptr) : Json(view.note);
+    return j;
+}
+
 }  // namespace
 
 Json numbers_json(const Scene& scene, const Frame& frame, const std::optional<Drawn>& drawn) {
@@ -82,6 +97,7 @@ Json numbers_json(const Scene& scene, const Frame& frame, const std::optional<Dr
     j["surface"] = {{"triangles", mesh.triangles.size()}, {"vertices", mesh.positions.size()}, {"notes", frame.notes}};
     j["probe"] =
         json_or_null(frame.probe, [&](const ProbeInWorld& p) { return probe_json(p, frame.surface->implicit.get()); });
+    j["flat"] = json_or_null(frame.flat, flat_json);
     return j;
 }
 

@@ -36,6 +36,16 @@ std::vector<AxisHandle> axis_handles(const Scene& scene, const glm::dvec3& exten
     return handles;
 }
 
+std::vector<AxisHandle> handles_in_view(const Scene& scene, const glm::dvec3& extent, const CameraView& view) {
+    std::vector<AxisHandle> handles = axis_handles(scene, extent);
+    if (scene.view == ViewMode::Flat)
+        std::erase_if(handles, [&](const AxisHandle& handle) {
+            const glm::dvec3 along = glm::normalize(handle.unit.xyz);
+            return std::hypot(glm::dot(along, view.right().xyz), glm::dot(along, view.up().xyz)) < 0.98;
+        });
+    return handles;
+}
+
 std::optional<AxisHandle> handle_at(const std::vector<AxisHandle>& handles, const CameraView& view, glm::dvec2 pixel,
                                     double reach) {
     std::optional<AxisHandle> found;

@@ -22,6 +22,9 @@ struct AxisHandle {
 /// of the stack have collapsed are left out.
 std::vector<AxisHandle> axis_handles(const Scene& scene, const glm::dvec3& extent);
 
+/// The handles that a picture shows: in a flat view, those that lie in its plane.
+std::vector<AxisHandle> handles_in_view(const Scene& scene, const glm::dvec3& extent, const CameraView& view);
+
 /// The handle whose knob lies within `reach` pixels; the nearest to the eye of several.
 std::optional<AxisHandle> handle_at(const std::vector<AxisHandle>& handles, const CameraView& view, glm::dvec2 pixel,
                                     double reach);

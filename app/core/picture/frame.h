@@ -2,6 +2,7 @@
 
 #include "core/math/camera.h"
 #include "core/math/highlight.h"
+#include "core/picture/flat_view.h"
 #include "core/scene/mistakes.h"
 #include "core/scene/palette.h"
 #include "core/scene/scene.h"
@@ -154,6 +155,7 @@ struct Frame {
     std::optional<SingularPoint> singular;  ///< where the probe stands on one
     std::optional<RaySteps> ray;            ///< the scene's
     std::vector<std::string> notes;         ///< on what is drawn: what is not as one may expect
+    std::optional<FlatView> flat;           ///< where the view is flat
 };
 
 /// Where the arc of the angle, the legend's swatches and the map's key take their colour: error in degrees, 0 … 90.

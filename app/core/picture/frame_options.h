@@ -21,6 +21,8 @@ struct FrameOptions {
     std::shared_ptr<const LevelSets> level_sets{};
     /// The line of the derivation that the picture shows, in place of the rules' arrows.
     std::optional<DerivationAt> derivation{};
+    /// The surface's (FlatCutCache); null: it is made anew.
+    std::shared_ptr<const FlatCut> flat_cut{};
     double right_power = -1.0;  ///< of the inverse transpose's arrows and light, as of normal_map
     double unit = 1.0;          ///< as Frame::unit; make_frame finds it
 };

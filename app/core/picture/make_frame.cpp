@@ -4,6 +4,7 @@
 #include "core/picture/decomposition_marks.h"
 #include "core/picture/derivation_marks.h"
 #include "core/picture/drawn_arrows.h"
+#include "core/picture/flat_marks.h"
 #include "core/picture/knobs.h"
 #include "core/picture/picture_scale.h"
 #include "core/picture/probe_marks.h"
@@ -303,6 +304,13 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     // At rest on the object, the ghost would only flicker.
     const bool ghost = scene.show.ghost && (scene.view == ViewMode::Overlay || scene.ray || options.derivation) &&
                        m.matrix() != glm::dmat4(1.0);
+    if (scene.view == ViewMode::Flat) {
+        frame.panes = empty_panes(scene, options.rect);
+        add_flat_view(frame, scene, m, options);
+        if (scene.show.legend) add_legend(frame, scene, m);
+        end_flat_view(frame, options);
+        return frame;
+    }
     if (scene.show.grid) frame.ground_height = ground_height(frame.surface->mesh, m, ghost, options.unit);
     frame.shadow_from_ground = casts_shadow(*frame.surface) ? shadow_disc(m, options.unit) : kNoShadow;
     frame.panes = empty_panes(scene, options.rect);

@@ -62,6 +62,7 @@ std::optional<Point<Object>> picked_point(const Frame& frame, const Transform<Wo
     const Pane* pane = pane_at(frame, pixel);
     if (!pane) return std::nullopt;
     const glm::dvec2 at = pixel - glm::dvec2(pane->rect.origin);
+    if (frame.flat) return point_on_cut(*frame.flat, world_from_object, pane->view, at, 4.0 * reach);
     const ArrowHit arrow = nearest_arrow(frame, *pane, at, reach);
     const auto surface = first_hit(*frame.surface, world_from_object, pane->view.ray(at));
     const double surface_depth =
@@ -76,6 +77,26 @@ std::optional<Point<Object>> picked_point(const Frame& frame, const Transform<Wo
             if (there.z > 0.0 && glm::distance(glm::dvec2(there), at) < 2.0 * reach) return singular;
         }
     return surface->probe.point;
+}
+
+bool holds_probe(const Scene& scene, const Frame& frame, const Transform<World, Object>& world_from_object,
+                 glm::dvec2 pixel, double reach) {
+    const Pane* pane = pane_at(frame, pixel);
+    if (!pane) return false;
+    const glm::dvec2 at = pixel - glm::dvec2(pane->rect.origin);
+    if (frame.flat && point_on_cut(*frame.flat, world_from_object, pane->view, at, reach)) return true;
+    if (!frame.probe || !scene.probe || !scene.show.probe) return false;
+    const glm::dvec3 probe = pane->view.pixel(frame.probe->point);
+    return probe.z > 0.0 && glm::distance(glm::dvec2(probe), at) <= reach;
+}
+
+std::optional<Point<Object>> probe_dragged(const Frame& frame, const Pane& pane,
+                                           const Transform<World, Object>& world_from_object, glm::dvec2 pixel) {
+    const glm::dvec2 at = pixel - glm::dvec2(pane.rect.origin);
+    if (frame.flat)
+        return point_on_cut(*frame.flat, world_from_object, pane.view, at, std::numeric_limits<double>::infinity());
+    const auto probe = probe_in_view(*frame.surface, world_from_object, pane.view, at);
+    return probe ? std::optional(probe->point) : std::nullopt;
 }
 
 std::optional<Highlight> highlight_at(const Frame& frame, glm::dvec2 pixel, double reach) {

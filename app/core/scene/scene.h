@@ -16,7 +16,8 @@
 namespace normalscope {
 
 enum class Shape { Sphere, Cube, Cylinder, Cone, Torus, Plane, Dodecahedron };
-enum class ViewMode { Single, Split, Overlay };
+/// Flat: the cut z = 0 of object space and its image, each seen straight on.
+enum class ViewMode { Single, Split, Overlay, Flat };
 enum class ArrowPlacement { Vertices, Faces };
 enum class SurfaceColor { Lit, Error, Normals };
 /// The contrast themes are for lecture halls and low vision: black on white, or white on black.

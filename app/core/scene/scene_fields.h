@@ -27,9 +27,9 @@ inline constexpr std::array kShapeNames{EnumName<Shape>{Shape::Sphere, "sphere"}
                                         EnumName<Shape>{Shape::Plane, "plane"},
                                         EnumName<Shape>{Shape::Dodecahedron, "dodecahedron"}};
 inline constexpr std::array kClipNames{EnumName<Clip>{Clip::Ball, "ball"}, EnumName<Clip>{Clip::Box, "box"}};
-inline constexpr std::array kViewNames{EnumName<ViewMode>{ViewMode::Single, "single"},
-                                       EnumName<ViewMode>{ViewMode::Split, "split"},
-                                       EnumName<ViewMode>{ViewMode::Overlay, "overlay"}};
+inline constexpr std::array kViewNames{
+    EnumName<ViewMode>{ViewMode::Single, "single"}, EnumName<ViewMode>{ViewMode::Split, "split"},
+    EnumName<ViewMode>{ViewMode::Overlay, "overlay"}, EnumName<ViewMode>{ViewMode::Flat, "flat"}};
 inline constexpr std::array kPlacementNames{EnumName<ArrowPlacement>{ArrowPlacement::Vertices, "vertices"},
                                             EnumName<ArrowPlacement>{ArrowPlacement::Faces, "faces"}};
 inline constexpr std::array kArrowKindNames{EnumName<ArrowKind>{ArrowKind::Object, "object"},

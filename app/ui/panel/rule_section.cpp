@@ -115,10 +115,11 @@ void rule_buttons(const Scene& scene, const PanelContext& context) {
 }
 
 void view_buttons(Scene& scene, const PanelContext& context) {
-    static constexpr std::array<Segment, 3> kViews{
+    static constexpr std::array<Segment, 4> kViews{
         {{"single", "The object by the chosen rule alone. (V for the next view)"},
          {"split", "Naive at the left, correct at the right, one camera. (V for the next view)"},
-         {"overlay", "The rules' arrows on one object, and the angle between them. (V for the next view)"}}};
+         {"overlay", "The rules' arrows on one object, and the angle between them. (V for the next view)"},
+         {"flat", "The plane z = 0 seen straight on: the curve before and after M. (V for the next view)"}}};
     int view = static_cast<int>(scene.view);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     if (segmented(context.look, "view", view, kViews)) scene.view = static_cast<ViewMode>(view);

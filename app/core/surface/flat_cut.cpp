@@ -1,0 +1,212 @@
+#include "core/surface/flat_cut.h"
+
+#include "core/surface/level_sets.h"
+#include "core/surface/surface_probe.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace normalscope {
+
+namespace {
+
+// A corner in the plane counts as above it, so that each triangle which the plane parts is met along one piece, and one that
+// lies in the plane along none.
+std::vector<CurvePiece> pieces_of_mesh(const Mesh& mesh) {
+    const auto above = [&](std::uint32_t i) { return mesh.positions[i].z >= 0.0; };
+    // The same for an edge from either side, to the last bit.
+    const auto crossing = [&](std::uint32_t a, std::uint32_t b) {
+        if (!above(a)) std::swap(a, b);
+        const glm::dvec3 &p = mesh.positions[a], &q = mesh.positions[b];
+        const double s = p.z / (p.z - q.z);
+        glm::dvec3 at = glm::mix(p, q, s);
+        at.z = 0.0;
+        return Site{{at}, {glm::mix(mesh.normals[a], mesh.normals[b], s)}};
+    };
+    std::vector<CurvePiece> pieces;
+    for (const glm::uvec3& t : mesh.triangles)
+        for (glm::length_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
+            if (above(a) == above(b) || above(a) == above(c)) continue;
+            CurvePiece piece{crossing(a, b), crossing(a, c)};  // a is alone on its side
+            for (Site* site : {&piece.from, &piece.to})
+                if (glm::length(site->normal.xyz) < 1e-9)
+                    site->normal = {
+                        glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a])};
+            pieces.push_back(piece);
+        }
+    return pieces;
+}
+
+// Newton's steps within the plane; where they lead away, the point stays.
+glm::dvec3 onto_curve(const ImplicitSurface& surface, const glm::dvec3& start, double reach) {
+    glm::dvec3 p = start;
+    for (int i = 0; i < 8; ++i) {
+        const formulas::Sample s = surface.at({p});
+        const glm::dvec3 slope(s.gradient.x, s.gradient.y, 0.0);
+        const glm::dvec3 next = p - s.value / glm::dot(slope, slope) * slope;
+        if (!(glm::distance(next, start) <= reach)) return p == start ? start : p;
+        if (next == p) break;
+        p = next;
+    }
+    return p;
+}
+
+std::vector<CurvePiece> pieces_of_formula(const ImplicitSurface& surface) {
+    const LevelSets sets = level_sets(surface, {Axis::Z, 0.0, false});
+    const double reach = 0.01 * sets.reach;
+    std::vector<CurvePiece> pieces;
+    for (const LevelSets::Line& line : sets.lines) {
+        if (line.level != 0) continue;
+        const auto site = [&](const glm::dvec3& end) {
+            const glm::dvec3 p = onto_curve(surface, end, reach);
+            return Site{{p}, {surface.at({p}).gradient}};
+        };
+        pieces.push_back({site(line.ends[0]), site(line.ends[1])});
+    }
+    return pieces;
+}
+
+// The plane in bands across y, between the heights of the corners: within a band no two sides meet.
+std::vector<std::array<glm::dvec2, 4>> inside_of(const std::vector<Curve>& curves) {
+    using Side = std::array<glm::dvec2, 2>;  // going up
+    std::vector<Side> sides;
+    std::vector<double> heights;
+    for (const Curve& curve : curves)
+        for (const CurvePiece& piece : curve.closed ? curve.pieces : std::vector<CurvePiece>{}) {
+            glm::dvec2 a(piece.from.point.xyz), b(piece.to.point.xyz);
+            if (a.y == b.y) continue;
+            if (a.y > b.y) std::swap(a, b);
+            sides.push_back({a, b});
+            heights.push_back(a.y), heights.push_back(b.y);
+        }
+    std::ranges::sort(heights);
+    heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+    std::ranges::sort(sides, {}, [](const Side& side) { return side[0].y; });
+
+    std::vector<std::array<glm::dvec2, 4>> result;
+    std::vector<Side> met;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
+        const double low = heights[i], high = heights[i + 1], middle = 0.5 * (low + high);
+        std::erase_if(met, [&](const Side& side) { return side[1].y <= low; });
+        for (; next < sides.size() && sides[next][0].y <= low; ++next) met.push_back(sides[next]);
+        const auto at = [](const Side& side, double y) {
+            return glm::dvec2(glm::mix(side[0].x, side[1].x, (y - side[0].y) / (side[1].y - side[0].y)), y);
+        };
+        std::ranges::sort(met, {}, [&](const Side& side) { return at(side, middle).x; });
+        for (std::size_t k = 0; k + 1 < met.size(); k += 2)
+            result.push_back({at(met[k], low), at(met[k + 1], low), at(met[k + 1], high), at(met[k], high)});
+    }
+    return result;
+}
+
+struct Nearest {
+    const CurvePiece* piece = nullptr;
+    double along = 0.0;
+    double distance = std::numeric_limits<double>::infinity();
+};
+Nearest nearest_piece(const FlatCut& cut, const glm::dvec2& p) {
+    Nearest best;
+    for (const Curve& curve : cut.curves)
+        for (const CurvePiece& piece : curve.pieces) {
+            const glm::dvec2 a(piece.from.point.xyz), ab = glm::dvec2(piece.to.point.xyz) - a;
+            const double s = glm::clamp(glm::dot(p - a, ab) / std::max(glm::dot(ab, ab), 1e-300), 0.0, 1.0);
+            const double distance = glm::distance(p, a + s * ab);
+            if (distance < best.distance) best = {&piece, s, distance};
+        }
+    return best;
+}
+
+Site between(const CurvePiece& piece, double s) {
+    return {{glm::mix(piece.from.point.xyz, piece.to.point.xyz, s)},
+            {glm::mix(piece.from.normal.xyz, piece.to.normal.xyz, s)}};
+}
+
+}  // namespace
+
+FlatCut flat_cut(const Surface& surface) {
+    std::vector<CurvePiece> pieces;
+    if (surface.implicit && surface.implicit->region()) pieces = pieces_of_formula(*surface.implicit);
+    if (pieces.empty()) pieces = pieces_of_mesh(surface.mesh);
+    FlatCut cut;
+    double extent = 0.0;
+    for (const CurvePiece& piece : pieces) {
+        extent = std::max({extent, glm::length(piece.from.point.xyz), glm::length(piece.to.point.xyz)});
+        cut.length += glm::distance(piece.from.point.xyz, piece.to.point.xyz);
+    }
+    cut.curves = joined(pieces, 1e-6 * extent);
+    cut.inside = inside_of(cut.curves);
+    return cut;
+}
+
+std::optional<Probe> nearest_on_cut(const Surface& surface, const FlatCut& cut, Point<Object> p,
+                                    const std::optional<Direction<Object>>& borrow) {
+    const Nearest nearest = nearest_piece(cut, glm::dvec2(p.xyz));
+    if (!nearest.piece) return std::nullopt;
+    const Site site = between(*nearest.piece, nearest.along);
+    if (!surface.implicit) return probe_with(site.point, site.normal);
+    // What is meant to be singular, such as a crossing, is so to the last bit.
+    if (p.xyz.z == 0.0 && nearest.distance < 1e-9 && surface.implicit->lies_on(p.xyz))
+        return probe_on(*surface.implicit, p, borrow);
+    const double reach = 0.01 * surface.implicit->source().bound;
+    return probe_on(*surface.implicit, {onto_curve(*surface.implicit, site.point.xyz, reach)}, borrow);
+}
+
+std::optional<Probe> usual_on_cut(const Surface& surface, const FlatCut& cut) {
+    glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
+    for (const Curve& curve : cut.curves)
+        for (const CurvePiece& piece : curve.pieces)
+            for (const Site* site : {&piece.from, &piece.to}) {
+                low = glm::min(low, glm::dvec2(site->point.xyz));
+                high = glm::max(high, glm::dvec2(site->point.xyz));
+            }
+    if (!(low.x <= high.x)) return std::nullopt;
+    const glm::dvec2 middle = 0.5 * (low + high), way(0.8, 0.6), across(-way.y, way.x);
+    double farthest = 0.0;
+    for (const Curve& curve : cut.curves)
+        for (const CurvePiece& piece : curve.pieces) {
+            const glm::dvec2 a = glm::dvec2(piece.from.point.xyz) - middle, b = glm::dvec2(piece.to.point.xyz) - middle;
+            const double sa = glm::dot(a, across), sb = glm::dot(b, across);
+            if ((sa < 0.0) == (sb < 0.0)) continue;
+            farthest = std::max(farthest, glm::dot(glm::mix(a, b, sa / (sa - sb)), way));
+        }
+    if (!(farthest > 0.0)) farthest = glm::distance(low, high);
+    return nearest_on_cut(surface, cut, {glm::dvec3(middle + farthest * way, 0.0)});
+}
+
+std::vector<Site> sites_along(const FlatCut& cut, double spacing) {
+    std::vector<Site> sites;
+    for (const Curve& curve : cut.curves) {
+        double whole = 0.0;
+        for (const CurvePiece& piece : curve.pieces) whole += glm::distance(piece.from.point.xyz, piece.to.point.xyz);
+        const double count = std::max(1.0, std::round(whole / spacing)), step = whole / count;
+        // The first is half a step in: an open curve's ends are no places for arrows.
+        double wanted = 0.5 * step, passed = 0.0;
+        for (const CurvePiece& piece : curve.pieces) {
+            const double length = glm::distance(piece.from.point.xyz, piece.to.point.xyz);
+            for (; wanted <= passed + length && wanted < whole && length > 0.0; wanted += step) {
+                const Site site = between(piece, (wanted - passed) / length);
+                if (const double n = glm::length(site.normal.xyz); n > 0.0)
+                    sites.push_back({site.point, {site.normal.xyz / n}});
+            }
+            passed += length;
+        }
+    }
+    return sites;
+}
+
+std::shared_ptr<const FlatCut> FlatCutCache::get(const Scene& scene, const std::shared_ptr<const Surface>& surface) {
+    if (scene.view != ViewMode::Flat) return nullptr;
+    if (!cut_ || surface_ != surface) {
+        surface_ = surface;
+        cut_ = std::make_shared<const FlatCut>(flat_cut(*surface));
+    }
+    return cut_;
+}
+
+}  // namespace normalscope
