@@ -16,6 +16,7 @@ uniform float unit_at_vertices;  // made of unit length here: 0 not, 1 without w
 uniform float arrow_length;  // 0: no arrow
 uniform float shaft_radius;
 uniform float head_length;
+uniform vec4 cleared;        // a ball in world space, in which no arrow stands
 uniform vec4 tint;           // sRGB; alpha 0: each vertex has its own colour
 uniform vec3 paper;          // what is seen within a hollow head
 
@@ -51,6 +52,7 @@ void main() {
         float size = world.w > 0.0 ? length(direction) : 0.0;  // what has no image has no arrow
         vec3 axis = size > 0.0 ? direction / size : vec3(0.0, 0.0, 1.0);
         world = vec4(world.xyz / (world.w > 0.0 ? world.w : 1.0), 1.0);
+        if (distance(world.xyz, cleared.xyz) < cleared.w) size = 0.0;
         vec3 to_eye = eye - world.xyz, u = cross(to_eye, axis);  // so that v points to the eye, as far as it can
         if (dot(u, u) < 1e-11 * dot(to_eye, to_eye)) u = cross(abs(axis.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0), axis);
         u = normalize(u);

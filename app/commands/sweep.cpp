@@ -17,6 +17,7 @@
 #include "core/base/temporary_folder.h"
 #include "core/base/utf8.h"
 #include "core/image/png.h"
+#include "core/picture/framing.h"
 #include "platform/crash_line.h"
 
 #include <nlohmann/json.hpp>
@@ -173,7 +174,9 @@ std::size_t print_notes(const Sweep& sweep) {
 int run(const SweepCommand& command) {
     Sweep sweep{.command = command};
     if (sweep.video) require_ffmpeg(command.output);
-    const Subject base = subject_of(command.file, command.settings);
+    Subject base = subject_of(command.file, command.settings);
+    // As the first sees it, lest what grows always fill the picture.
+    if (!base.scene.camera.zoom) base.scene = with_zoom(base.scene, *SurfaceCache().get(base.scene));
     const std::size_t count = sweep.plan.count();
     for (std::size_t i = 0; i < count; ++i) sweep.scenes.push_back(varied(base.scene, sweep.plan.settings(i)));
     sweep.options = capture_options(command, base);

@@ -77,6 +77,7 @@ struct SceneProgram : Program {
     Slot<float> arrow_length{*this, "arrow_length"};
     Slot<float> shaft_radius{*this, "shaft_radius"};
     Slot<float> head_length{*this, "head_length"};
+    Slot<glm::vec4> cleared{*this, "cleared"};
     Slot<glm::vec3> toward_light{*this, "toward_light"};
     Slot<glm::vec3> eye{*this, "eye"};
     Slot<float> outside{*this, "outside"};

@@ -272,6 +272,7 @@ void Renderer::Resources::draw_arrows(const Frame& frame, const Pane& pane) {
         program.tint = glm::vec4(draw.color, 1.0f);
         program.paper = theme_colors(frame.theme).background_top;
         program.shaft_radius = draw.radius;
+        program.cleared = draw.cleared;
         const float head =
             std::min(ArrowProportions::kHeadLength * draw.radius, ArrowProportions::kLongestHead * draw.length);
         program.head_length = head;

@@ -11,7 +11,8 @@
 
 namespace normalscope {
 
-std::string capture_command(const Scene& scene, const std::string& file, glm::ivec2 size, float scale) {
+std::string capture_command(const Scene& scene, const Origin& origin, glm::ivec2 size, float scale) {
+    const std::string& file = origin.file;
     std::string command = "normalscope capture";
     Scene base;
     try {
@@ -20,6 +21,8 @@ std::string capture_command(const Scene& scene, const std::string& file, glm::iv
     } catch (const InputError&) {  // it is there no longer
         base = load_scene(std::string(kDefaultScene));
     }
+    // Where it says no zoom, it was framed as a capture frames it.
+    if (!base.camera.zoom && scene.camera.zoom == origin.saved.camera.zoom) base.camera.zoom = scene.camera.zoom;
     command += " -o picture.png --size " + std::to_string(size.x) + "x" + std::to_string(size.y);
     if (std::abs(scale - usual_scale(size)) > 1e-3f)
         command += " --scale " + with_digits(static_cast<double>(scale), 4);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scene/scene.h"
+#include "viewer/document.h"
 
 #include <glm/vec2.hpp>
 
@@ -8,8 +9,7 @@
 
 namespace normalscope {
 
-/// The command line that captures what the window shows: `file` is what the scene was read from (or empty), `size` the
-/// picture's, `scale` that of its words. It is right for the files as they are now.
-std::string capture_command(const Scene& scene, const std::string& file, glm::ivec2 size, float scale);
+/// The command line that captures what the window shows: `origin` is where the scene comes from, `size` the picture's, `scale` that of its words. It is right for the files as they are now.
+std::string capture_command(const Scene& scene, const Origin& origin, glm::ivec2 size, float scale);
 
 }  // namespace normalscope

@@ -186,7 +186,7 @@ void Viewer::save_picture(const std::filesystem::path& file) {
 
 void Viewer::copy_command() {
     const glm::ivec2 size = gui_.interface.picture(host_.framebuffer_size()).size;
-    host_.set_clipboard(capture_command(document_.scene, document_.file(), size, host_.content_scale()));
+    host_.set_clipboard(capture_command(document_.scene, *document_.origin(), size, host_.content_scale()));
     gui_.interface.show_note("Copied the command that draws this picture");
 }
 

@@ -3,6 +3,7 @@
 #include "core/lessons/link.h"
 #include "core/lessons/open.h"
 #include "core/mesh/mesh_file.h"
+#include "core/picture/framing.h"
 
 #include <random>
 #include <set>
@@ -45,7 +46,9 @@ Opened read_file(const std::string& file, const Scene& scene) {
 }
 
 void prepare(Opened& opened) {
-    (void)opened.surfaces->get(opened.scene);
+    const std::shared_ptr<const Surface> surface = opened.surfaces->get(opened.scene);
+    // Once, and not again with each change: what grows would always fill the picture.
+    opened.scene = with_zoom(std::move(opened.scene), *surface);
     if (opened.lesson) read_meshes(*opened.lesson, opened.scene);
 }
 

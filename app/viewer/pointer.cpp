@@ -114,11 +114,12 @@ void Pointer::release(Scene& scene, const Frame& frame, float scale) {
 }
 
 void Pointer::scroll(Scene& scene, double steps) {
-    double& zoom = scene.camera.zoom;
+    const double zoom = scene.camera.magnification();
     // Far from there one has been brought by a very large or small object, and needs to get about.
     const bool ordinary = zoom >= 0.05 && zoom <= 100.0;
     const double wanted = zoom * std::pow(1.12, steps);
-    zoom = ordinary ? std::clamp(wanted, 0.05, 100.0) : std::clamp(wanted, Camera::kLeastZoom, Camera::kMostZoom);
+    scene.camera.zoom =
+        ordinary ? std::clamp(wanted, 0.05, 100.0) : std::clamp(wanted, Camera::kLeastZoom, Camera::kMostZoom);
     scrolled_ = true;
 }
 

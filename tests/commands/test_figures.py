@@ -22,7 +22,7 @@ class FiguresTest(CommandTest):
         self.assertFalse(list(root.iter(f"{SVG}image")))
         words = {word.text for word in root.iter(f"{SVG}text")}
         self.assertLessEqual({"x", "y", "z", "naive  M n", "inverse transpose  (M⁻¹)ᵀ n"}, words)
-        self.assertTrue(any(word.endswith("°") for word in words))  # the angle between both
+        self.assertTrue(any(word.endswith("° off") for word in words))
         colours = {path.get("stroke") for path in root.iter(f"{SVG}path")} | {path.get("fill") for path in root.iter(f"{SVG}path")}
         self.assertLessEqual({"#d55e00", "#009e73", "#0072b2"}, colours)
 

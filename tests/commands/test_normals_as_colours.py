@@ -54,7 +54,7 @@ class NormalsAsColoursTest(CommandTest):
     def draw(self, *arguments, width=SIZE, surface="surface.shape=sphere"):
         path = self.folder / "normals.png"
         self.assert_done("capture", "slide-scale", "--set", "color=normals", "--set", "arrows.show=[]", *BARE,
-                         "--set", 'camera={"azimuth":0,"elevation":0}', "--set", surface, *arguments,
+                         "--set", 'camera={"azimuth":0,"elevation":0,"zoom":1}', "--set", surface, *arguments,
                          "--size", f"{width}x{SIZE}", "-o", path)
         return path.read_bytes()
 

@@ -60,7 +60,8 @@ TEST_P(Trace, MeetsWhatTheProcessorMeets) {
             const Ray<Object> ray{{glm::dvec3(object_from_world * glm::dvec4(world.origin.xyz, 1.0))},
                                   {glm::dvec3(object_from_world * glm::dvec4(world.direction.xyz, 0.0))}};
             const std::vector<formulas::Root> roots = surface.hits(ray, formulas::Wanted::All);
-            const glm::vec4 hit = hits[static_cast<std::size_t>(y * kSize.x + x)];
+            const glm::vec4 hit =
+                hits[static_cast<std::size_t>(y) * static_cast<std::size_t>(kSize.x) + static_cast<std::size_t>(x)];
             for (int k = 0; k < 4; ++k) ASSERT_FALSE(std::isnan(hit[k])) << c.formula;
             if (roots.empty() && hit.w == 0.0f) continue;
             ++shown;

@@ -50,6 +50,7 @@ Scene ViewerTest::light(const std::string& name) {
     scene.view = ViewMode::Single;
     scene.arrows.limit = 12;
     scene.show.grid = scene.show.ghost = false;
+    if (!scene.camera.zoom) scene.camera.zoom = 1.0;  // so that nothing is framed
     return scene;
 }
 

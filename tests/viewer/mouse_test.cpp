@@ -107,11 +107,11 @@ TEST_F(MouseTest, TheWheelZoomsAndAPauseInItMakesAStep) {
     const Scene before = scene();
     point(ground());
     for (int i = 0; i < 3; ++i) wheel(1);
-    EXPECT_NEAR(scene().camera.zoom, before.camera.zoom * std::pow(1.12, 3), 1e-9);
+    EXPECT_NEAR(*scene().camera.zoom, before.camera.magnification() * std::pow(1.12, 3), 1e-9);
     const Scene nearer = scene();
     key(ImGuiKey_N);  // an end to it
     for (int i = 0; i < 5; ++i) wheel(-1);
-    EXPECT_NEAR(scene().camera.zoom, before.camera.zoom * std::pow(1.12, -2), 1e-9);
+    EXPECT_NEAR(*scene().camera.zoom, before.camera.magnification() * std::pow(1.12, -2), 1e-9);
     Scene naive = nearer;
     naive.rule = Rule::Naive;
     expect_undo({before, nearer, naive, scene()});

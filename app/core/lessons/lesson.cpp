@@ -118,6 +118,7 @@ Lesson read_lesson(const Json& json) {
                                   std::to_string(kMostLessonSteps) + " are allowed, so make several lessons of it");
     object.no_other_keys();
     Scene scene;
+    scene.camera.zoom = 1.0;  // so that nothing jumps from step to step
     for (std::size_t i = 0; i < steps.size(); ++i) {
         lesson.steps.push_back(read_step(steps[i], below(path, i), scene));
         scene = lesson.steps.back().scene;

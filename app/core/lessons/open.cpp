@@ -129,11 +129,7 @@ Contents open_name(const std::string& name) {
 Scene first_scene(const Contents& contents) {
     return std::visit(
         Overload{[](const Scene& scene) { return scene; },
-                 [](const MeshFile& mesh) {
-                     Scene scene = with_mesh(load_scene(std::string(kDefaultScene)), mesh.file);
-                     scene.camera.zoom = 1.25;  // few meshes fill the ball that they touch
-                     return scene;
-                 },
+                 [](const MeshFile& mesh) { return with_mesh(load_scene(std::string(kDefaultScene)), mesh.file); },
                  [](const OpenedLesson& opened) { return opened.lesson->steps[opened.step.value_or(0)].scene; },
                  [](const ExercisesName& exercises) { return make_exercise(exercises.seed.value_or(0), 0).scene; }},
         contents);

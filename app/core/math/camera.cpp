@@ -10,7 +10,7 @@ namespace normalscope {
 
 CameraView::CameraView(const Camera& camera, glm::dvec2 size) : size_(size) {
     const double half_angle = glm::radians(0.5 * Camera::kFieldOfViewDegrees);
-    const double distance = Camera::kFramedRadius / std::sin(half_angle) / camera.zoom;
+    const double distance = Camera::kFramedRadius / std::sin(half_angle) / camera.magnification();
     const glm::dvec3 toward_eye = camera.toward_eye().vector().xyz;
     // Not lookAt with y up, which fails when looking straight down: the right vector is known from the azimuth alone.
     const double azimuth = glm::radians(camera.azimuth);
@@ -88,7 +88,7 @@ Camera framed(Camera camera, Point<World> centre, double radius) {
 
 Camera with_room_for(const Camera& camera, Point<World> centre, double radius) {
     constexpr double kLost = 0.3;  // of the picture
-    const double room = Camera::kFramedRadius / camera.zoom;
+    const double room = Camera::kFramedRadius / camera.magnification();
     const bool fits = glm::distance(camera.target.xyz, centre.xyz) + radius <= room && radius >= kLost * room;
     return fits ? camera : framed(camera, centre, radius);
 }

@@ -5,6 +5,8 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 
+#include <optional>
+
 namespace normalscope {
 
 /// A half line; `direction` need not be of unit length.
@@ -22,11 +24,15 @@ struct Camera {
 
     double azimuth = 30.0;    ///< degrees to the right of looking along −z
     double elevation = 20.0;  ///< degrees above the horizon, −90 to 90
-    double zoom = 1.0;
+    /// Empty: it is left to what the picture shows (core/picture/framing.h).
+    std::optional<double> zoom;
     Point<World> target;
 
     /// From the target to the eye.
     Direction<World> toward_eye() const { return {azimuth, elevation}; }
+    double magnification() const { return zoom.value_or(1.0); }
+    /// The radius about the target that fills the picture.
+    double reach() const { return kFramedRadius / magnification(); }
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 

@@ -4,16 +4,22 @@
 #include "core/math/polar_decomposition.h"
 #include "core/picture/arcs.h"
 #include "core/picture/frame_options.h"
+#include "core/picture/label_room.h"
 #include "core/picture/solids.h"
 #include "core/scene/mistakes.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace normalscope {
 
 namespace {
+
+constexpr double kBeyondUnitBall = 1.2;  // so that the ends come out of the object
 
 // The vertex whose normal comes nearest to one of the two that are worst.
 std::size_t nearest_normal(const Mesh& mesh, const WorstNormal& worst) {
@@ -27,11 +33,30 @@ std::size_t nearest_normal(const Mesh& mesh, const WorstNormal& worst) {
     return best;
 }
 
-void add_label(Pane& pane, const glm::dvec3& at, const std::string& text, const glm::vec3& color) {
-    const glm::dvec3 pixel = pane.view.pixel({at});
-    if (pixel.z > 0.0)
-        pane.labels.push_back({Label::Role::Axis, glm::vec2(pane.rect.origin) + glm::vec2(pixel), text, color});
-}
+/// Arrows with words at their ends, which stand clear of all of them.
+class Marks {
+public:
+    Marks(Pane& pane, const FrameOptions& options, const glm::vec3& ink)
+        : pane_(pane), room_(pane, options.pixel_scale), ink_(ink) {}
+    ~Marks() {
+        for (const auto& [at, text] : words_) room_.put_beside(at, text, ink_);
+    }
+    Marks(const Marks&) = delete;
+    Marks& operator=(const Marks&) = delete;
+
+    void arrow(const glm::dvec3& base, const glm::dvec3& vector, double radius, const glm::vec3& color,
+               ArrowLook look = ArrowLook::Plain) {
+        add_arrow(pane_.solids, base, vector, radius, glm::vec4(color, 1.0f), look, {});
+        room_.keep_clear(base, base + vector);
+    }
+    void name(const glm::dvec3& at, std::string text) { words_.emplace_back(at, std::move(text)); }
+
+private:
+    Pane& pane_;
+    LabelRoom room_;
+    glm::vec3 ink_;
+    std::vector<std::pair<glm::dvec3, std::string>> words_;
+};
 
 }  // namespace
 
@@ -43,17 +68,16 @@ void add_decomposition_marks(Pane& pane, const Scene& scene, const Mesh& mesh, c
     const Decomposition parts = decomposition(matrices.naive, matrices.rank);
     const glm::dvec3 origin = world_from_object(Point<Object>{}).xyz;
     const double pixel = options.pixel_scale * pane.view.world_per_pixel({origin});
-    const glm::vec4 ink(theme_colors(scene.theme).text, 1.0f);
+    const glm::vec3 ink = theme_colors(scene.theme).text;
+    Marks marks(pane, options, ink);
     for (std::size_t i = 0; i < parts.axes.size(); ++i) {
         const StretchAxis& axis = parts.axes[i];
-        // A little longer than the unit ball's image, so that the ends come out of the object.
-        const glm::dvec3 end = (1.2 * axis.factor) * axis.to.xyz;
+        const glm::dvec3 end = (kBeyondUnitBall * axis.factor) * axis.to.xyz;
         const double radius = std::max(0.012 * options.unit, 1.6 * pixel);
-        add_arrow(pane.solids, origin, end, radius, ink);
-        add_arrow(pane.solids, origin, -end, radius, ink);
-        const std::string text =
-            std::array{"\u03C3\u2081 ", "\u03C3\u2082 ", "\u03C3\u2083 "}[i] + with_decimals(axis.factor, 2);
-        add_label(pane, origin + 1.08 * end, text, theme_colors(scene.theme).text);
+        marks.arrow(origin, end, radius, ink);
+        marks.arrow(origin, -end, radius, ink);
+        marks.name(origin + end,
+                   std::array{"\u03C3\u2081 ", "\u03C3\u2082 ", "\u03C3\u2083 "}[i] + with_decimals(axis.factor, 2));
     }
 
     const std::optional<WorstNormal> worst = worst_normal(matrices, shown_power(scene));
@@ -67,12 +91,11 @@ void add_decomposition_marks(Pane& pane, const Scene& scene, const Mesh& mesh, c
     const glm::dvec3 u = glm::normalize(naive.xyz), v = glm::normalize(right->xyz);
     const double length = std::max(4.6 * options.unit * scene.arrows.length, 70.0 * pixel),
                  radius = std::max(0.022 * length, 1.7 * pixel);
-    add_arrow(pane.solids, base, length * u, radius, glm::vec4(kNaiveColor, 1.0f), ArrowLook::Dashed, {});
-    add_arrow(pane.solids, base, length * v, radius, glm::vec4(kInverseTransposeColor, 1.0f));
+    marks.arrow(base, length * u, radius, kNaiveColor, ArrowLook::Dashed);
+    marks.arrow(base, length * v, radius, kInverseTransposeColor);
     const std::vector<glm::dvec3> arc = arc_between(base, u, v, 0.6 * length);
-    add_tube(pane.solids, arc, std::max(0.007 * options.unit, 1.1 * pixel), ink);
-    const std::string text = "worst " + with_decimals(*angle_degrees(u, v), 1) + "\u00B0";
-    add_label(pane, base + 1.5 * (arc[arc.size() / 2] - base), text, theme_colors(scene.theme).text);
+    add_tube(pane.solids, arc, std::max(0.007 * options.unit, 1.1 * pixel), glm::vec4(ink, 1.0f));
+    marks.name(arc[arc.size() / 2], "worst " + with_decimals(*angle_degrees(u, v), 1) + "\u00B0");
 }
 
 }  // namespace normalscope

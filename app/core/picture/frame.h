@@ -17,6 +17,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -78,7 +79,12 @@ struct ArrowDraw {
     float length = 0.1f;
     float radius = 0.01f;
     ArrowLook look = ArrowLook::Plain;
+    /// A ball in world space, centre and radius, in which none stands: the probe's own arrows do.
+    glm::vec4 cleared{0.0f};
 };
+
+/// Base and tip of an arrow in world space, where scene.vert puts it; empty where there is none.
+std::optional<std::array<glm::dvec3, 2>> ends_of(const ArrowDraw& draw, const Site& site);
 
 /// Corner of a triangle in world space, for what is made anew every frame: the probe's arrows and marks, the axes.
 struct SolidVertex {
@@ -97,7 +103,7 @@ struct SymbolArrow {
 /// Text beside a place in the picture.
 struct Label {
     /// A side and a level name parts of a plane, on which they stand in boxes of their own.
-    enum class Role { Title, Axis, Angle, Note, Side, Level } role = Role::Note;
+    enum class Role { Title, Axis, Note, Side, Level } role = Role::Note;
     glm::vec2 pixel{0.0f};  ///< what it belongs to, from the top left of the framebuffer
     std::string text;
     glm::vec3 color{0.0f};
@@ -133,7 +139,8 @@ struct Pane {
     std::vector<SolidVertex> solids;       ///< opaque triangles
     std::vector<SolidVertex> translucent;  ///< drawn last, without writing depth
     std::vector<Label> labels;
-    std::vector<SymbolArrow> symbols;  ///< at the probe, drawn or not
+    std::vector<SymbolArrow> symbols;              ///< at the probe, drawn or not
+    std::vector<std::array<glm::dvec3, 2>> lines;  ///< in world space: what words had better not cross
 };
 
 /// A picture as data: what a renderer draws and what the overlay writes on it. Colours are sRGB.

@@ -39,9 +39,10 @@ double length_within(const glm::dvec2& half, const glm::dvec2& a, const glm::dve
 }  // namespace
 
 LabelRoom::LabelRoom(Pane& pane, double pixel_scale) : pane_(pane), scale_(pixel_scale) {
+    for (const auto& [from, to] : pane.lines) keep_clear(from, to);
     for (const Label& label : pane.labels) {
         Box box{glm::dvec2(label.pixel) - glm::dvec2(pane.rect.origin), half_size(label.text, label.role)};
-        if (label.role == Label::Role::Angle || label.role == Label::Role::Note) box.middle.x += box.half.x;
+        if (label.role == Label::Role::Note) box.middle.x += box.half.x;
         taken_.push_back(box);
     }
 }
@@ -78,7 +79,8 @@ void LabelRoom::put_at(const glm::dvec2& pixel, const std::string& text, Label::
 // What a box hides, in pixels: of lines, of other words, and of itself beyond the pane's edge.
 double LabelRoom::overlap(const Box& box) const {
     double hidden = 0.0;
-    for (const auto& [a, b] : lines_) hidden += length_within(box.half, a - box.middle, b - box.middle);
+    const glm::dvec2 with_heads = box.half + 5.0 * scale_;  // lines have a width, and arrows more
+    for (const auto& [a, b] : lines_) hidden += length_within(with_heads, a - box.middle, b - box.middle);
     for (const Box& other : taken_) {
         const glm::dvec2 common = box.half + other.half - glm::abs(box.middle - other.middle);
         if (common.x > 0.0 && common.y > 0.0) hidden += 2.0 * (common.x + common.y);

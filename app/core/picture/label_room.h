@@ -15,7 +15,7 @@ namespace normalscope {
 /// a word takes is but estimated: fonts are not known here.
 class LabelRoom {
 public:
-    /// The labels that the pane already has are left where they are.
+    /// The labels that the pane already has are left where they are, and its lines kept clear.
     LabelRoom(Pane& pane, double pixel_scale);
 
     /// A line or an arrow in world space, which words had better not cross.

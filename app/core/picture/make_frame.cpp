@@ -1,11 +1,11 @@
 #include "core/picture/make_frame.h"
 
-#include "core/picture/axis_handles.h"
 #include "core/picture/decomposition_marks.h"
 #include "core/picture/derivation_marks.h"
 #include "core/picture/drawn_arrows.h"
 #include "core/picture/flat_marks.h"
-#include "core/picture/knobs.h"
+#include "core/picture/framing.h"
+#include "core/picture/handle_marks.h"
 #include "core/picture/picture_scale.h"
 #include "core/picture/probe_marks.h"
 #include "core/picture/ray_marks.h"
@@ -52,7 +52,7 @@ NormalMap scaled_for_floats(NormalMap map) {
 
 std::vector<Pane> empty_panes(const Scene& scene, const PixelRect& rect) {
     if (scene.view != ViewMode::Split)
-        return {Pane{rect, scene.rule, CameraView(scene.camera, rect.size), {}, {}, {}, {}, {}, {}}};
+        return {Pane{rect, scene.rule, CameraView(scene.camera, rect.size), {}, {}, {}, {}, {}, {}, {}}};
     const int left = rect.size.x / 2;
     const PixelRect halves[]{{rect.origin, {left, rect.size.y}},
                              {rect.origin + glm::ivec2(left, 0), {rect.size.x - left, rect.size.y}}};
@@ -60,7 +60,7 @@ std::vector<Pane> empty_panes(const Scene& scene, const PixelRect& rect) {
     for (const Rule rule : pane_rules(scene)) {
         const PixelRect& half = halves[panes.size()];
         panes.push_back(
-            Pane{half, rule, CameraView(scene.camera, glm::max(half.size, glm::ivec2(1))), {}, {}, {}, {}, {}, {}});
+            Pane{half, rule, CameraView(scene.camera, glm::max(half.size, glm::ivec2(1))), {}, {}, {}, {}, {}, {}, {}});
     }
     return panes;
 }
@@ -115,7 +115,9 @@ bool coincide(const Scene& scene, const WorldFromObject& m, double right_power) 
     return la > 0.0 && lb > 0.0 && largest_entry(glm::dmat3(a->matrix) / la - glm::dmat3(b->matrix) / lb) < 1e-9;
 }
 
-void add_arrows(Pane& pane, const Scene& scene, const WorldFromObject& m, const FrameOptions& options) {
+void add_arrows(Pane& pane, const Scene& scene, const WorldFromObject& m, const std::optional<ProbeInWorld>& probe,
+                const FrameOptions& options) {
+    const double cleared = probe ? cleared_by_probe(pane, scene, *probe, options) : 0.0;
     const std::vector<ArrowKind> kinds = drawn_arrows(scene, m, pane.rule);
     // Of two that lie in one place both are seen: the dashes go around the other's shaft.
     const bool around =
@@ -129,8 +131,17 @@ void add_arrows(Pane& pane, const Scene& scene, const WorldFromObject& m, const 
         const float scale = kind == ArrowKind::Object ? 1.0f : static_cast<float>(options.unit);
         const float of_unit = static_cast<float>(2.0 * scene.arrows.length);  // in diameters of the unit ball
         const float length = scale * of_unit, radius = scale * std::clamp(0.042f * of_unit, 0.003f, 0.025f);
-        pane.arrows.push_back({drawable(points), scaled_for_floats(normals), arrow_color(kind, scene.theme), length,
-                               widened(kind) * radius, arrow_look(kind)});
+        pane.arrows.push_back({drawable(points),
+                               scaled_for_floats(normals),
+                               arrow_color(kind, scene.theme),
+                               length,
+                               widened(kind) * radius,
+                               arrow_look(kind),
+                               {}});
+        if (probe)
+            pane.arrows.back().cleared = {
+                glm::vec3(kind == ArrowKind::Object ? probe->object.point.xyz : probe->point.xyz),
+                static_cast<float>(cleared)};
     };
     for (const ArrowKind kind : kinds) {
         if (kind == ArrowKind::Object) {
@@ -142,39 +153,13 @@ void add_arrows(Pane& pane, const Scene& scene, const WorldFromObject& m, const 
     }
 }
 
-void add_axes(Pane& pane, const Scene& scene, const glm::dvec3& extent, const FrameOptions& options) {
-    for (const AxisHandle& handle : axis_handles(scene, extent)) {
-        const glm::vec3 color = kAxisColors[static_cast<std::size_t>(handle.axis)];
-        const bool hot = options.hot_axis == handle.axis;
-        const double thickness =
-            std::max(0.010 * options.unit, 1.4 * options.pixel_scale * pane.view.world_per_pixel(handle.origin));
-        const glm::dvec3 knob = handle.knob().xyz;
-        add_tube(pane.solids, std::array{handle.origin.xyz, knob}, thickness, glm::vec4(color, 1.0f));
-        const double half = (hot ? 8.5 : 6.5) * options.pixel_scale * pane.view.world_per_pixel(handle.knob());
-        if (options.handles)
-            add_cube(pane.solids, knob, handle.unit.xyz, half,
-                     glm::vec4(hot ? glm::mix(color, glm::vec3(1.0f), 0.35f) : color, 1.0f));
-        const glm::dvec3 at =
-            pane.view.pixel({knob + 2.6 * half * glm::normalize(handle.unit.xyz) * (handle.factor < 0.0 ? -1.0 : 1.0)});
-        if (at.z > 0.0)
-            pane.labels.push_back({Label::Role::Axis, glm::vec2(pane.rect.origin) + glm::vec2(at),
-                                   std::string(1, "xyz"[handle.axis]), color});
-    }
-}
-
-void add_knobs(Pane& pane, const Scene& scene, const WorldFromObject& m, const FrameOptions& options) {
-    const glm::vec4 ink(theme_colors(scene.theme).text, 1.0f);
-    for (const Knob& knob : knobs(scene, m, pane.view)) {
-        const double pixel = options.pixel_scale * pane.view.world_per_pixel(knob.at);
-        if (knob.what != Knob::What::Slice) {
-            add_cube(pane.solids, knob.at.xyz, pane.view.up().xyz, 6.0 * pixel, ink);
-            continue;
-        }
-        const glm::dvec3 along = glm::normalize(knob.along.xyz);
-        add_cube(pane.solids, knob.at.xyz, along, 6.5 * pixel, ink);
-        for (const double side : {-1.0, 1.0})
-            add_arrow(pane.solids, knob.at.xyz, side * 26.0 * pixel * along, 1.6 * pixel, ink);
-    }
+// Arrows that are few enough to be told apart.
+void keep_clear_of_arrows(Pane& pane, std::span<const Site> sites) {
+    constexpr std::size_t kFew = 100;
+    if (sites.size() > kFew) return;
+    for (const ArrowDraw& draw : pane.arrows)
+        for (const Site& site : sites)
+            if (const auto ends = ends_of(draw, site)) pane.lines.push_back(*ends);
 }
 
 // Where there is nothing there is no shadow of it: all of the ground lies far outside.
@@ -265,12 +250,12 @@ void add_title(Pane& pane, const Scene& scene) {
          rule_color(pane.rule)});
 }
 
-// What is drawn in the scene's place where all of it would be too much: from within the ghost, and where the derivation shows
-// arrows of its own.
-std::optional<Scene> with_less(const Scene& scene, bool derives) {
+// What is drawn in the scene's place: with a zoom where it says none, and with less where all of it would be too much: from
+// within the ghost, and where the derivation shows arrows of its own.
+std::optional<Scene> drawn_instead(const Scene& scene, const Surface& surface, bool derives) {
     constexpr double kInTheWay = 0.02;  // of the ghost's size: so near to it, it is everywhere
-    Scene less = scene;
-    if (Camera::kFramedRadius / scene.camera.zoom < kInTheWay) less.show.ghost = false;
+    Scene less = with_zoom(scene, surface);
+    if (less.camera.reach() < kInTheWay) less.show.ghost = false;
     if (derives) {
         less.show.probe = less.show.tangent_plane = less.show.sheets = less.show.legend = false;
         less.arrows.show = std::vector<ArrowKind>{};
@@ -284,11 +269,12 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     const WorldFromObject m = world_from_object(scene);
     // Where there is no inverse transpose, the derivation has no arrows to carry.
     const bool derives = given.derivation && m.affine() && m.rank() == 3;
-    if (const auto less = with_less(scene, derives)) return make_frame(*less, std::move(surface), given);
+    if (const auto other = drawn_instead(scene, *surface, derives))
+        return make_frame(*other, std::move(surface), given);
     FrameOptions options = given;
     if (!derives) options.derivation.reset();
     // Within a large object, or close to it, arrows and marks as large as that would be all that one sees.
-    options.unit = std::min(picture_unit(*surface, m), std::max(1.0, Camera::kFramedRadius / scene.camera.zoom));
+    options.unit = std::min(picture_unit(*surface, m), std::max(1.0, scene.camera.reach()));
 
     Frame frame;
     frame.unit = options.unit;
@@ -332,7 +318,8 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     for (Pane& pane : frame.panes) {
         add_surfaces(pane, scene, *frame.surface, m, {ghost, slice != nullptr, options.quality, options.right_power});
         if (slice) add_slice(pane, scene, *slice, m, ghost, options);
-        add_arrows(pane, scene, m, options);
+        add_arrows(pane, scene, m, frame.probe, options);
+        keep_clear_of_arrows(pane, frame.surface->arrows);
         if (scene.show.axes) add_axes(pane, scene, frame.surface->extent, options);
         if (frame.probe) add_probe_marks(pane, scene, *frame.probe, drawn_arrows(scene, m, pane.rule), options);
         if (frame.probe && options.derivation) add_derivation_marks(pane, scene, *frame.probe, m, options);

@@ -3,6 +3,7 @@
 #include "core/base/decimal.h"
 #include "core/picture/arcs.h"
 #include "core/picture/frame_options.h"
+#include "core/picture/label_room.h"
 #include "core/picture/solids.h"
 
 #include <glm/common.hpp>
@@ -11,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <string_view>
 
 namespace normalscope {
 
@@ -67,6 +70,14 @@ std::vector<SymbolArrow> symbol_arrows(const ProbeInWorld& probe, const Scene& s
     return arrows;
 }
 
+// Of the probe's arrows, in world units: a few times as long as the others, and never too short to be seen. `unit` as
+// Frame::unit.
+double long_as(const Pane& pane, const Scene& scene, const glm::dvec3& at, double unit, double pixel_scale) {
+    constexpr double kOfOthers = 5.6, kLeastPixels = 70.0;
+    return std::max(kOfOthers * unit * scene.arrows.length,
+                    kLeastPixels * pixel_scale * pane.view.world_per_pixel({at}));
+}
+
 constexpr glm::vec4 kGlow(0.94f, 0.89f, 0.26f, 0.55f);
 
 void add_highlight(Pane& pane, const Highlight& what, double radius) {
@@ -91,11 +102,12 @@ public:
           ink_(theme_colors(scene.theme).text),
           paper_(theme_colors(scene.theme).background_top) {
         const double pixel = options.pixel_scale * pane.view.world_per_pixel(probe.point);
-        length_ = std::max(4.6 * options.unit * scene.arrows.length, 70.0 * pixel);
+        length_ = long_as(pane, scene, centre_, options.unit, options.pixel_scale);
         radius_ = std::max(0.022 * length_, 1.7 * pixel);
         line_ = std::max(0.007 * options.unit, 1.1 * pixel);
         naive_ = unit_normal(Rule::Naive);
-        if (probe.truth && !probe.affine) by_no_rule_ = glm::normalize(probe.truth->xyz);
+        if (probe.truth) truth_ = glm::normalize(probe.truth->xyz);
+        if (!probe.affine) by_no_rule_ = truth_;
         correct_ = by_no_rule_ ? by_no_rule_ : unit_normal(Rule::InverseTranspose);
         // The naive normal's lean decides how the plane is turned, so that the error shows in profile.
         plane_ = tangent_plane(probe, naive_.value_or(glm::dvec3(0.0)));
@@ -108,24 +120,27 @@ public:
 
     void plane() {
         if (!scene_.show.tangent_plane || !plane_) return;
-        const glm::dvec3 u = 0.62 * length_ * plane_->u, v = 0.62 * length_ * plane_->v;
+        const glm::dvec3 u = 0.56 * length_ * plane_->u, v = 0.56 * length_ * plane_->v;
         const glm::vec4 blue(kTangentColor, 1.0f);
         // Lifted a little, or it would flicker against the surface that it touches.
         const double side = glm::dot(plane_->normal, pane_.view.eye().xyz - centre_) < 0.0 ? -1.0 : 1.0;
         const glm::dvec3 lifted = centre_ + side * 0.012 * options_.unit * plane_->normal;
+        keep_clear(std::array{lifted - u - v, lifted + u - v, lifted + u + v, lifted - u + v, lifted - u - v});
         const bool pointed_at = options_.highlight && options_.highlight->symbol == Symbol::Zero;
         add_patch(pane_.translucent, lifted, u, v, pointed_at ? kGlow : glm::vec4(kTangentColor, 0.20f));
         const std::array rim{lifted - u - v, lifted + u - v, lifted + u + v, lifted - u + v};
         add_tube(pane_.solids, rim, 0.7 * line_, blue, true);
-        for (const Vector<World>& t : probe_.tangents)
-            if (glm::length(t.xyz) > 0.0)
-                add_arrow(pane_.solids, centre_, 0.6 * length_ * glm::normalize(t.xyz), 0.6 * radius_, blue);
+        for (const Vector<World>& t : probe_.tangents) {
+            if (!(glm::length(t.xyz) > 0.0)) continue;
+            const glm::dvec3 along = 0.6 * length_ * glm::normalize(t.xyz);
+            add_arrow(pane_.solids, centre_, along, 0.6 * radius_, blue);
+            keep_clear(std::array{centre_, centre_ + along});
+        }
     }
 
     void arrows() {
         // Not as long as beside a large object far away.
-        const double there = options_.pixel_scale * pane_.view.world_per_pixel({probe_.object.point.xyz}),
-                     most = 2.0 * std::max(4.6 * scene_.arrows.length, 70.0 * there);
+        const double most = 2.0 * long_as(pane_, scene_, probe_.object.point.xyz, 1.0, options_.pixel_scale);
         if (shows(ArrowKind::Object) && scene_.show.ghost)
             add_arrow(pane_.solids, probe_.object.point.xyz, std::min(length_, most) * probe_.object.normal.xyz,
                       ArrowProportions::kOfObject * radius_,
@@ -138,7 +153,7 @@ public:
 
     void errors() {
         if (!by_no_rule_) {
-            if (naive_ && correct_ && !parallel(*naive_, *correct_)) off_by(*naive_, *correct_, 0.78, ink_);
+            if (naive_ && correct_ && !parallel(*naive_, *correct_)) arc(*naive_, *correct_, 0.78, ink_);
             return;
         }
         std::vector<glm::dvec3> held;  // of rules that agree one tells enough
@@ -147,8 +162,24 @@ public:
             if (!n || parallel(*n, *correct_) ||
                 std::ranges::any_of(held, [&](const glm::dvec3& other) { return parallel(other, *n); }))
                 continue;
-            off_by(*n, *correct_, 0.78 - 0.1 * static_cast<double>(held.size()), ink_);
+            arc(*n, *correct_, 0.78 - 0.1 * static_cast<double>(held.size()), ink_);
             held.push_back(*n);
+        }
+    }
+
+    /// At its tip each arrow says whose it is, and by how much it is off; those that lie on each other say it together.
+    void names() {
+        LabelRoom room(pane_, options_.pixel_scale);
+        for (std::size_t i = 0; i < named_.size(); ++i) {
+            const Named& named = named_[i];
+            const auto lies_on_it = [&](const Named& other) {
+                return glm::dot(other.n, named.n) > 0.0 && parallel(other.n, named.n);
+            };
+            if (std::any_of(named_.begin(), named_.begin() + static_cast<std::ptrdiff_t>(i), lies_on_it)) continue;
+            std::string who = named.who;
+            for (std::size_t k = i + 1; k < named_.size(); ++k)
+                if (lies_on_it(named_[k])) who += ", " + named_[k].who;
+            room.put_beside(named.tip, who + verdict(named.n), named.color);
         }
     }
 
@@ -163,6 +194,8 @@ private:
     // Where M is not affine no rule gives the normal: it stands there by itself, and each rule's arrow is held against it.
     void normal_by_no_rule(const glm::dvec3& n) {
         add_arrow(pane_.solids, centre_, length_ * n, radius_, glm::vec4(ink_, 1.0f));
+        named_.push_back({"n", n, centre_ + length_ * n, ink_});
+        keep_clear(std::array{centre_, centre_ + length_ * n});
         if (scene_.show.tangent_plane && plane_) right_angle(n, glm::vec4(ink_, 1.0f));
     }
 
@@ -176,21 +209,25 @@ private:
         const double wide = hidden ? 1.35 : around ? ArrowProportions::kAround : 1.0;
         add_arrow(pane_.solids, centre_, (hidden ? 0.7 : 1.0) * length_ * n, wide * radius_, color,
                   arrow_look(arrow_kind(rule)), paper_);
+        const glm::dvec3 tip = centre_ + length_ * n;
+        keep_clear(std::array{centre_, tip});
+        const bool wrong_plane = about_tangents(scene_.mistake) && scene_.rule == Rule::Naive;
+        if (!wrong_plane) named_.push_back({normal_formula(rule, scene_), n, tip, rule_color(rule)});
         if (!scene_.show.tangent_plane || !plane_) return;
         // A right angle gets its square; any other gets an arc down to the plane, on the side to which the arrow leans, or
         // by itself one to where it should stand.
         const glm::dvec3 up = glm::dot(plane_->normal, n) < 0.0 ? -plane_->normal : plane_->normal;
         if (parallel(up, n)) return right_angle(up, color);
-        const bool wrong_plane = about_tangents(scene_.mistake) && scene_.rule == Rule::Naive;
         if (correct_ || wrong_plane) {
             const glm::dvec3 foot = glm::normalize(n - glm::dot(n, up) * up);
-            const std::vector<glm::dvec3> arc = arc_between(centre_, foot, n, 0.3 * length_);
-            add_tube(pane_.solids, arc, line_, color);
-            if (!correct_) name_angle(arc, in_degrees(foot, n) + " to the tangents", rule_color(rule));
+            const std::vector<glm::dvec3> down = arc(foot, n, 0.3, rule_color(rule));
+            if (!correct_)
+                named_.push_back(
+                    {in_degrees(foot, n) + " to the tangents", {}, down[down.size() / 2], rule_color(rule)});
             return;
         }
         add_tube(pane_.solids, std::array{centre_, centre_ + 0.9 * length_ * up}, line_, glm::vec4(ink_, 1.0f));
-        off_by(up, n, 0.6, rule_color(rule));
+        arc(up, n, 0.6, rule_color(rule));
     }
 
     void right_angle(const glm::dvec3& up, const glm::vec4& color) {
@@ -198,22 +235,26 @@ private:
         add_tube(pane_.solids, std::array{from, from + rise, centre_ + rise}, line_, color);
     }
 
-    // The arc between two unit vectors, with its angle.
-    void off_by(const glm::dvec3& a, const glm::dvec3& b, double reach, const glm::vec3& color) {
-        const std::vector<glm::dvec3> arc = arc_between(centre_, a, b, reach * length_);
-        add_tube(pane_.solids, arc, line_, glm::vec4(color, 1.0f));
-        name_angle(arc, "off by " + in_degrees(a, b), color);
+    // Between two unit vectors.
+    std::vector<glm::dvec3> arc(const glm::dvec3& a, const glm::dvec3& b, double reach, const glm::vec3& color) {
+        std::vector<glm::dvec3> points = arc_between(centre_, a, b, reach * length_);
+        add_tube(pane_.solids, points, line_, glm::vec4(color, 1.0f));
+        keep_clear(points);
+        return points;
+    }
+
+    // What the image says of an arrow: nothing where M leaves it no normal.
+    std::string verdict(const glm::dvec3& n) const {
+        if (!truth_ || n == glm::dvec3(0.0)) return {};
+        return parallel(*truth_, n) ? " \u22A5 surface" : ": " + in_degrees(*truth_, n) + " off";
+    }
+
+    void keep_clear(std::span<const glm::dvec3> path) {
+        for (std::size_t i = 1; i < path.size(); ++i) pane_.lines.push_back({path[i - 1], path[i]});
     }
 
     static std::string in_degrees(const glm::dvec3& a, const glm::dvec3& b) {
         return with_decimals(*angle_degrees(a, b), 1) + "\u00B0";
-    }
-
-    void name_angle(const std::vector<glm::dvec3>& arc, std::string text, const glm::vec3& color) {
-        const glm::dvec3 at = pane_.view.pixel({arc[arc.size() / 2]});
-        if (at.z > 0.0)
-            pane_.labels.push_back(
-                {Label::Role::Angle, glm::vec2(pane_.rect.origin) + glm::vec2(at), std::move(text), color});
     }
 
     Pane& pane_;
@@ -224,13 +265,25 @@ private:
     glm::dvec3 centre_;
     glm::vec3 ink_, paper_;
     double length_ = 0.0, radius_ = 0.0, line_ = 0.0;
+    struct Named {
+        std::string who;
+        glm::dvec3 n, tip;  ///< n: 0 where it is no arrow that is named
+        glm::vec3 color;
+    };
+    std::vector<Named> named_;
     /// Of unit length: the naive rule's and the right one, as far as they are shown; the latter is no rule's where M is not
     /// affine.
     std::optional<glm::dvec3> naive_, correct_, by_no_rule_;
+    std::optional<glm::dvec3> truth_;  ///< the image's normal, drawn or not
     std::optional<TangentPlane> plane_;
 };
 
 }  // namespace
+
+double cleared_by_probe(const Pane& pane, const Scene& scene, const ProbeInWorld& probe, const FrameOptions& options) {
+    if (!scene.show.probe && !scene.show.tangent_plane) return 0.0;
+    return 0.8 * long_as(pane, scene, probe.point.xyz, options.unit, options.pixel_scale);
+}
 
 void add_probe_marks(Pane& pane, const Scene& scene, const ProbeInWorld& probe, const std::vector<ArrowKind>& kinds,
                      const FrameOptions& options) {
@@ -239,7 +292,9 @@ void add_probe_marks(Pane& pane, const Scene& scene, const ProbeInWorld& probe, 
     marks.plane();
     if (!scene.show.probe) return;
     marks.arrows();
-    if (options.right_power == -1.0) marks.errors();  // what is still on its way says nothing of how far off it is
+    if (options.right_power != -1.0) return;  // what is still on its way says nothing of how far off it is
+    marks.errors();
+    marks.names();
 }
 
 }  // namespace normalscope

@@ -172,13 +172,9 @@ private:
 
     void arrows(const ArrowDraw& draw) {
         std::string shafts, heads;
-        const glm::dmat4 m(draw.world_from_object);
         for (const Site& site : frame_.surface->arrows) {
-            const glm::dvec3 n = draw.normals(site.normal).xyz;
-            const glm::dvec4 base = m * glm::dvec4(site.point.xyz, 1.0);
-            if (!(glm::length(n) > 0.0) || !(base.w > 0.0)) continue;
-            arrow(glm::dvec3(base) / base.w, static_cast<double>(draw.length) * glm::normalize(n),
-                  draw.look == ArrowLook::TwoHeads, shafts, heads);
+            if (const auto ends = ends_of(draw, site))
+                arrow((*ends)[0], (*ends)[1] - (*ends)[0], draw.look == ArrowLook::TwoHeads, shafts, heads);
         }
         const ArrowKind kind = kind_of(draw.color);
         std::string line = stroke(draw.color, kind == ArrowKind::Object ? 1.2 : 1.8);

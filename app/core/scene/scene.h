@@ -65,7 +65,7 @@ struct Arrows {
     ArrowPlacement at = ArrowPlacement::Vertices;
     int every = 1;         ///< every n-th vertex or face
     double length = 0.12;  ///< in object diameters
-    int limit = 160;       ///< at most so many of a kind, evenly thinned
+    int limit = 24;        ///< at most so many of a kind, evenly thinned
     /// Which kinds are drawn; empty: those that the view calls for.
     std::optional<std::vector<ArrowKind>> show;
     friend bool operator==(const Arrows&, const Arrows&) = default;

@@ -75,7 +75,8 @@ Scene blend(const Scene& from, const Scene& to, double t) {
     Scene scene = to;
     scene.camera.azimuth = mixed_azimuth(from.camera.azimuth, to.camera.azimuth, t);
     scene.camera.elevation = mixed(from.camera.elevation, to.camera.elevation, t);
-    scene.camera.zoom = from.camera.zoom * std::pow(to.camera.zoom / from.camera.zoom, t);
+    const double from_zoom = from.camera.magnification(), to_zoom = to.camera.magnification();
+    scene.camera.zoom = from_zoom * std::pow(to_zoom / from_zoom, t);
     scene.camera.target.xyz = glm::mix(from.camera.target.xyz, to.camera.target.xyz, t);
     scene.light.azimuth = mixed_azimuth(from.light.azimuth, to.light.azimuth, t);
     scene.light.elevation = mixed(from.light.elevation, to.light.elevation, t);

@@ -13,7 +13,7 @@ namespace normalscope {
 std::array<Point<World>, 2> aim(const AimedRay& ray, const Camera& camera, const CameraView& view) {
     const Point<World> target = ray.toward.value_or(camera.target);
     // Beside the camera: from the eye itself it would be seen end on.
-    const double reach = 0.85 * Camera::kFramedRadius / camera.zoom;
+    const double reach = 0.85 * camera.reach();
     const Vector<World> back{glm::normalize(view.eye().xyz - camera.target.xyz)};
     const Point<World> from =
         camera.target + -0.75 * reach * view.right() + 0.45 * reach * view.up() + 0.5 * reach * back;

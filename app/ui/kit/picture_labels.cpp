@@ -90,7 +90,6 @@ public:
         const ImFont* font = small ? look_.fonts.small : look_.fonts.strong;
         const ImVec2 size = extent(font, label.text);
         ImVec2 at{label.pixel.x - size.x / 2, label.pixel.y - size.y / 2};
-        if (label.role == Label::Role::Angle) at.x = label.pixel.x + look_.px(8);
         if (label.role == Label::Role::Note) at = {label.pixel.x + look_.px(10), label.pixel.y + look_.px(4)};
         const ImVec2 low(static_cast<float>(pane.rect.origin.x) + look_.px(4),
                          static_cast<float>(pane.rect.origin.y) + look_.px(4));
@@ -104,8 +103,8 @@ public:
                                 packed(faded(to_imgui(colors_.text_shadow), 0.8f)), look_.px(4));
             return plain(font, at, to_imgui(label.color), label.text);
         }
-        const bool dark = is_dark(look_.theme);  // the palette's deeper colours drown in it
-        haloed(font, at, dark ? glm::mix(label.color, colors_.text, 0.3f) : label.color, label.text);
+        // In words the palette's deeper colours drown in the dark, and its paler ones in the light.
+        haloed(font, at, glm::mix(label.color, colors_.text, 0.3f), label.text);
     }
 
     void card(ImVec2 low, ImVec2 high) const {

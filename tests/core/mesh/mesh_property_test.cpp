@@ -45,13 +45,14 @@ TEST(Triangulate, CoversThePolygon) {
 // ---- Damaged files: a mesh or one line of error, whatever the bytes ---------------------------------------------
 
 std::string damaged(std::string bytes, Random& random) {
+    const auto some = [&] { return std::size_t{1} + static_cast<std::size_t>(random.below(20)); };
     for (int n = 1 + random.below(4); n > 0 && !bytes.empty(); --n) {
         const auto at = static_cast<std::size_t>(random.below(static_cast<int>(bytes.size())));
         switch (random.below(4)) {
             case 0: bytes[at] = static_cast<char>(random.below(256)); break;
             case 1: bytes[at] = "0123456789-.e \n"[random.below(15)]; break;
-            case 2: bytes.erase(at, static_cast<std::size_t>(1 + random.below(20))); break;
-            default: bytes.insert(at, bytes.substr(at, static_cast<std::size_t>(1 + random.below(20))));
+            case 2: bytes.erase(at, some()); break;
+            default: bytes.insert(at, bytes.substr(at, some()));
         }
     }
     return bytes;

@@ -63,7 +63,7 @@ TEST_F(MeshFile, StlTextOfAnyHabit) {
         EXPECT_EQ(mesh.notes.size() == 2 ? mesh.notes[1] : "", last_note);
     };
     const std::string text = ascii_stl();
-    std::string capitals = text, returns = text, pairs, lines = text;
+    std::string capitals = text, returns = text, pairs;
     std::ranges::transform(text, capitals.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     std::ranges::replace(returns, '\n', '\r');
     for (const char c : text) pairs += c == '\n' ? "\r\n" : std::string(1, c);

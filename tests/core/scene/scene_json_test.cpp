@@ -24,9 +24,9 @@ std::string message_of(F&& f) {
 
 TEST(SceneJson, MissingKeysTakeDefaults) {
     EXPECT_EQ(parse_scene("{}", "x"), Scene{});
-    EXPECT_EQ(
-        parse_scene(R"({"normalscope": 1, "arrows": {}, "camera": {"zoom": 1}, "surface": {"shape": "sphere"}})", "x"),
-        Scene{});
+    EXPECT_EQ(parse_scene(
+                  R"({"normalscope": 1, "arrows": {}, "camera": {"zoom": null}, "surface": {"shape": "sphere"}})", "x"),
+              Scene{});
 }
 
 TEST(SceneJson, ReadsTheDesignsExample) {

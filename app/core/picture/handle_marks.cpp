@@ -1,0 +1,52 @@
+#include "core/picture/handle_marks.h"
+
+#include "core/picture/axis_handles.h"
+#include "core/picture/knobs.h"
+#include "core/picture/solids.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace normalscope {
+
+void add_axes(Pane& pane, const Scene& scene, const glm::dvec3& extent, const FrameOptions& options) {
+    for (const AxisHandle& handle : axis_handles(scene, extent)) {
+        const glm::vec3 color = kAxisColors[static_cast<std::size_t>(handle.axis)];
+        const bool hot = options.hot_axis == handle.axis;
+        const double thickness =
+            std::max(0.010 * options.unit, 1.4 * options.pixel_scale * pane.view.world_per_pixel(handle.origin));
+        const glm::dvec3 knob = handle.knob().xyz;
+        add_tube(pane.solids, std::array{handle.origin.xyz, knob}, thickness, glm::vec4(color, 1.0f));
+        pane.lines.push_back({handle.origin.xyz, knob});
+        const double half = (hot ? 8.5 : 6.5) * options.pixel_scale * pane.view.world_per_pixel(handle.knob());
+        if (options.handles)
+            add_cube(pane.solids, knob, handle.unit.xyz, half,
+                     glm::vec4(hot ? glm::mix(color, glm::vec3(1.0f), 0.35f) : color, 1.0f));
+        const glm::dvec3 at =
+            pane.view.pixel({knob + 2.6 * half * glm::normalize(handle.unit.xyz) * (handle.factor < 0.0 ? -1.0 : 1.0)});
+        if (at.z > 0.0)
+            pane.labels.push_back({Label::Role::Axis, glm::vec2(pane.rect.origin) + glm::vec2(at),
+                                   std::string(1, "xyz"[handle.axis]), color});
+    }
+}
+
+void add_knobs(Pane& pane, const Scene& scene, const Transform<World, Object>& m, const FrameOptions& options) {
+    const glm::vec4 ink(theme_colors(scene.theme).text, 1.0f);
+    for (const Knob& knob : knobs(scene, m, pane.view)) {
+        const double pixel = options.pixel_scale * pane.view.world_per_pixel(knob.at);
+        if (knob.what != Knob::What::Slice) {
+            add_cube(pane.solids, knob.at.xyz, pane.view.up().xyz, 6.0 * pixel, ink);
+            continue;
+        }
+        const glm::dvec3 along = glm::normalize(knob.along.xyz);
+        add_cube(pane.solids, knob.at.xyz, along, 6.5 * pixel, ink);
+        for (const double side : {-1.0, 1.0})
+            add_arrow(pane.solids, knob.at.xyz, side * 26.0 * pixel * along, 1.6 * pixel, ink);
+    }
+}
+
+}  // namespace normalscope
