@@ -59,7 +59,7 @@ class ContextTest(CommandTest):
     def test_a_check_says_what_the_driver_would_crash_on(self):
         checks = self.file("c.json", json.dumps({"normalscope_check": 1, "checks": [{"scene": "split", "numbers": {"rank": 3}}]}))
         done = run("check", checks, "--junit", self.folder / "j.xml", env={"GALLIUM_DRIVER": "nope"})
-        self.assertEqual((done.returncode, done.stdout), (4, b"0 of 1 checks pass, 1 were not run\n"))
+        self.assertEqual((done.returncode, done.stdout), (4, b"0 of 1 checks pass, 1 was not run\n"))
         self.assertIn(b"GALLIUM_DRIVER=nope", done.stderr)
         self.assertIn("<skipped", (self.folder / "j.xml").read_text())
 
