@@ -35,16 +35,16 @@ double reach(const Scene& scene) {
 }
 
 bool lies_on(const glm::dvec2& middle, const glm::dvec2& half, const glm::dvec2& a, const glm::dvec2& b) {
-    for (double t = 0.0; t <= 1.0; t += 0.01)
-        if (glm::all(glm::lessThan(glm::abs(glm::mix(a, b, t) - middle), half))) return true;
+    for (int k = 0; k <= 100; ++k)
+        if (glm::all(glm::lessThan(glm::abs(glm::mix(a, b, 0.01 * k) - middle), half))) return true;
     return false;
 }
 
 TEST(Framing, WhateverTheSizeOfTheObjectItFillsThePicture) {
-    for (const char* setting : {"stack=[]", R"(stack=[{"scale":[0.5,2,1]}])", R"(stack=[{"scale":[50,20,70]}])",
-                                R"(stack=[{"scale":[0.01,0.02,0.01]}])",
-                                R"(surface={"formula":"x^2+y^2-z^2-30","bound":10})",
-                                R"(surface={"formula":"x^2+y^2+z^2-0.1","bound":0.5})"}) {
+    for (const char* setting :
+         {"stack=[]", R"(stack=[{"scale":[0.5,2,1]}])", R"(stack=[{"scale":[50,20,70]}])",
+          R"(stack=[{"scale":[0.01,0.02,0.01]}])", R"(surface={"formula":"x^2+y^2-z^2-30","bound":10})",
+          R"(surface={"formula":"x^2+y^2+z^2-0.1","bound":0.5})"}) {
         const Scene scene = with_setting(Scene{.show = {.ghost = false, .axes = false}}, setting);
         EXPECT_GT(reach(scene), 0.5) << setting;
         EXPECT_LT(reach(scene), 1.0) << setting;

@@ -76,7 +76,8 @@ TEST(PictureScale, ArrowsAndMarksKeepTheirShareOfTheObject) {
     EXPECT_NEAR(picture_unit(200.0), 200.0, 1e-9);
     EXPECT_NEAR(picture_unit(1e-3), 1e-3, 1e-12);
     double before = 0.0;
-    for (double r = 1e-8; r < 1e8; r *= 1.05) {
+    for (int k = 0; k < 760; ++k) {
+        const double r = 1e-8 * std::pow(1.05, k);
         EXPECT_GE(picture_unit(r), before);
         EXPECT_LT(picture_unit(r), std::max(1.2 * before, 2e-8));
         before = picture_unit(r);
