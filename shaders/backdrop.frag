@@ -1,8 +1,8 @@
 // The ground behind everything: a quiet gradient, a grid that fades out, and a soft shadow under the object; and over it
 // what has been drawn, the mean of each pixel's samples. This covers every pixel, so each operation here counts on a
 // processor, but the ground is worked out once for all samples. glBlitFramebuffer would take the mean as well, but Mesa
-// compiles its own shader for that anew in every process. GLSL ES 3.00 has no multisample textures: a web build has to
-// draw the backdrop first, with no samples, and to blit.
+// compiles its own shader for that anew in every process. GLSL ES 3.00 has no multisample textures: there each sample is a
+// texel of its own, or they have been averaged before.
 in vec3 ray;
 in vec3 sky;
 
@@ -13,7 +13,12 @@ uniform float unit;         // between the grid's lines
 uniform float grid_amount;  // 0: no grid
 uniform mat3 shadow;        // from (x, z, 1) on the ground to the unit disc
 #ifdef RESOLVE
-uniform sampler2DMS drawn;  // colours times alpha
+#ifdef APART
+uniform sampler2D drawn;    // colours times alpha
+uniform ivec2 drawn_step;   // from one sample's pixels to the next one's, in a square of four
+#else
+uniform sampler2DMS drawn;
+#endif
 uniform int samples;
 uniform ivec2 drawn_low;    // the pixel that the samples begin with,
 uniform ivec2 drawn_size;   // and how many they go on for
@@ -45,7 +50,11 @@ void main() {
     bool inside = min(at.x, at.y) >= 0 && at.x < drawn_size.x && at.y < drawn_size.y;
     int count = inside ? samples : 0;
     vec4 sum = vec4(0.0);
+#ifdef APART
+    for (int i = 0; i < count; ++i) sum += texelFetch(drawn, at + ivec2(i & 1, i >> 1) * drawn_step, 0);
+#else
     for (int i = 0; i < count; ++i) sum += texelFetch(drawn, at, i);
+#endif
     sum /= float(samples);
     color.rgb = sum.rgb + (1.0 - sum.a) * color.rgb;
 #endif

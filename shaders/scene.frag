@@ -25,6 +25,9 @@ uniform sampler2D edges;       // the same for the first sample, with pixels lef
 uniform sampler2D tiles;       // what tiles.frag wrote: the above counts where a tile holds an edge
 uniform int tile_size;         // in texels of `hits`
 uniform float leave_edges;     // 1: not where those are
+#ifdef GL_OES_sample_variables
+uniform int sample_mask;       // the samples that are drawn to; elsewhere GL has a state for that
+#endif
 #else
 #ifdef PROJECTIVE
 in vec4 world_place;
@@ -74,6 +77,9 @@ vec3 error_color(vec3 object_normal) {
 
 void main() {
 #ifdef TRACED
+#ifdef GL_OES_sample_variables
+    gl_SampleMask[0] = sample_mask;
+#endif
     ivec2 pixel = (ivec2(gl_FragCoord.xy) - pane_origin) / coarseness;
     vec4 hit = texelFetch(hits, pixel, 0);
     bool edge = texelFetch(tiles, pixel / tile_size, 0).r > 0.75 && texelFetch(edges, pixel, 0).w >= 0.0;

@@ -1,6 +1,7 @@
 #include "gl/arrow_field.h"
 
 #include "core/picture/solids.h"
+#include "gl/driver.h"
 #include "gl/vertex_layout.h"
 
 #include <glm/common.hpp>
@@ -69,10 +70,21 @@ ArrowField::ArrowField(std::span<const Site> sites) : site_count_(sites.size()) 
     clusters_ = std::move(in_clusters.clusters);
     const std::size_t bytes = sites.size() * shape.size() * sizeof(SiteVertex);
     bind_and_fill(sites_, GL_ARRAY_BUFFER, bytes, nullptr);
-    auto* to = static_cast<SiteVertex*>(
-        glMapBufferRange(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes), GL_MAP_WRITE_BIT));
-    for (const std::uint32_t i : in_clusters.order) to = std::fill_n(to, shape.size(), site_vertex(sites[i]));
-    glUnmapBuffer(GL_ARRAY_BUFFER);
+    // In parts: all of ten million arrows at once would be there twice.
+    constexpr std::size_t kAtOnce = 16'384;
+    std::vector<SiteVertex> part;
+    GLintptr filled = 0;
+    const auto send = [&] {
+        const auto size = static_cast<GLsizeiptr>(part.size() * sizeof(SiteVertex));
+        glBufferSubData(GL_ARRAY_BUFFER, filled, size, part.data());
+        filled += size;
+        part.clear();
+    };
+    for (const std::uint32_t i : in_clusters.order) {
+        part.insert(part.end(), shape.size(), site_vertex(sites[i]));
+        if (part.size() >= kAtOnce) send();
+    }
+    send();
 
     glBindVertexArray(box_array_.id());
     bind_and_fill(boxes_, GL_ARRAY_BUFFER, 0, nullptr);
@@ -136,7 +148,7 @@ void ArrowField::draw_parts(std::span<const Part> parts) const {
         glDrawArrays(GL_TRIANGLES, 0, corners_ * static_cast<GLsizei>(part.cluster->count));
         ahead += part.cluster->count;
         if (ahead < kAhead) continue;
-        glFinish();
+        wait_for_pixels();
         ahead = 0;
     }
 }
@@ -148,7 +160,7 @@ void ArrowField::draw(const SceneProgram& program, const ArrowDraw& draw, const 
     for (std::size_t sites = 0; sites < site_count_ / 4; ++nearest) sites += parts[nearest].cluster->count;
     const std::span<Part> first = std::span(parts).first(nearest), rest = std::span(parts).subspan(nearest);
     draw_parts(first);
-    find_hidden(rest, view);
+    if (answers_at_once()) find_hidden(rest, view);
     program.use();
     draw_parts(rest);
 }

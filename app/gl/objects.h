@@ -1,6 +1,6 @@
 #pragma once
 
-#include <glad/gl.h>
+#include "gl/gl.h"
 
 #include <utility>
 

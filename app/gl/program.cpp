@@ -17,6 +17,11 @@ std::string_view embedded_shader(std::string_view name) {
     return *text;
 }
 
+#ifdef __EMSCRIPTEN__
+constexpr std::string_view kPreamble = "preamble_es.glsl";
+#else
+constexpr std::string_view kPreamble = "preamble.glsl";
+#endif
 constexpr std::string_view kInclude = "#include \"";
 
 // A shader file, and in it, at their lines, the files that it includes.
@@ -35,7 +40,7 @@ void append_file(std::vector<std::string_view>& parts, std::string_view name) {
 void append_stage(GLuint program, GLenum stage, std::string_view file, std::string_view define,
                   std::string_view generated = "") {
     const std::string defines = define.empty() ? "" : "#define " + std::string(define) + "\n";
-    std::vector<std::string_view> parts{embedded_shader("preamble.glsl"), defines, generated};
+    std::vector<std::string_view> parts{embedded_shader(kPreamble), defines, generated};
     append_file(parts, file);
     std::vector<const GLchar*> texts;
     std::vector<GLint> lengths;

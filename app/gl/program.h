@@ -1,6 +1,7 @@
 #pragma once
 
-#include <glad/gl.h>
+#include "gl/gl.h"
+
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>

@@ -23,13 +23,15 @@ struct BackdropProgram : Program {
     Slot<float> grid_amount{*this, "grid_amount"};
     Slot<glm::mat3> shadow{*this, "shadow"};
 };
-/// And over it what has been drawn, each pixel the mean of its samples.
+/// And over it what has been drawn, each pixel the mean of its samples: of a GL_TEXTURE_2D_MULTISAMPLE, or with APART of
+/// a GL_TEXTURE_2D.
 struct ResolvingProgram : BackdropProgram {
-    ResolvingProgram() : BackdropProgram("RESOLVE") {}
+    explicit ResolvingProgram(std::string_view define) : BackdropProgram(define) {}
 
     Slot<int> samples{*this, "samples"};
     Slot<glm::ivec2> drawn_low{*this, "drawn_low"};
     Slot<glm::ivec2> drawn_size{*this, "drawn_size"};
+    Slot<glm::ivec2> drawn_step{*this, "drawn_step"};
 };
 
 /// Where rays meet a formula's surface. `formula` is its GLSL and what trace.frag wants before it.
@@ -125,6 +127,7 @@ struct TracedProgram : SurfaceProgram {
     Slot<int> edges{*this, "edges"};
     Slot<int> tile_size{*this, "tile_size"};
     Slot<float> leave_edges{*this, "leave_edges"};
+    Slot<int> sample_mask{*this, "sample_mask"};
     Slot<glm::mat3> object_from_world{*this, "object_from_world"};
     Slot<float> mirrored{*this, "mirrored"};
 };

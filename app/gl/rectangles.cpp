@@ -1,6 +1,7 @@
 #include "gl/rectangles.h"
 
-#include <glad/gl.h>
+#include "gl/gl.h"
+
 #include <glm/common.hpp>
 
 namespace normalscope {

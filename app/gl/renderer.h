@@ -4,9 +4,10 @@
 #include "gl/target.h"
 
 #include <memory>
-#include <string>
 
 namespace normalscope {
+
+struct Resources;
 
 /// Draws Frames. Needs a current context, and must die before it.
 class Renderer {
@@ -24,7 +25,6 @@ public:
     void coarsen_drafts(bool more);
 
 private:
-    struct Resources;
     std::unique_ptr<Resources> resources_;
 };
 

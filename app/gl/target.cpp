@@ -1,6 +1,7 @@
 #include "gl/target.h"
 
 #include "core/base/error.h"
+#include "gl/driver.h"
 
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
@@ -12,13 +13,6 @@ namespace normalscope {
 
 namespace {
 
-void check_complete(glm::ivec2 size, int samples) {
-    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && glGetError() == GL_NO_ERROR) return;
-    throw ContextError("this driver cannot draw " + std::to_string(size.x) + "x" + std::to_string(size.y) +
-                       " pixels with " + std::to_string(samples) +
-                       " samples, or is out of memory; use a smaller size or fewer samples");
-}
-
 int supported(int samples) {
     GLint most = 1;
     glGetIntegerv(GL_MAX_SAMPLES, &most);
@@ -26,22 +20,7 @@ int supported(int samples) {
     return fewer == 3 ? 2 : fewer;
 }
 
-void make_storage(const GlRenderbuffer& buffer, GLenum format, glm::ivec2 size, int samples = 0) {
-    glBindRenderbuffer(GL_RENDERBUFFER, buffer.id());
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, size.x, size.y);
-}
-
 }  // namespace
-
-Target::Samples::Samples(glm::ivec2 pixels, int count) : size(pixels) {
-    make_storage(depth, GL_DEPTH_COMPONENT24, size, count);
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, color.id());
-    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, count, GL_RGBA8, size.x, size.y, GL_TRUE);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE, color.id(), 0);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
-    check_complete(size, count);
-}
 
 Target::Target(glm::ivec2 size, int samples) : size_(size), samples_(supported(samples)) {
     GLint largest = 0;
@@ -61,23 +40,22 @@ Target::Target(glm::ivec2 size, int samples) : size_(size), samples_(supported(s
 
 void Target::bind_picture() const { glBindFramebuffer(GL_FRAMEBUFFER, picture_.id()); }
 
-void Target::bind_samples(const PixelRect& box) {
+const Samples& Target::bind_samples(const PixelRect& box, Samples::Layout layout) {
     sampled_ = box;
     const glm::ivec2 wanted = glm::max(box.size, 1);
-    if (!held_ || glm::any(glm::lessThan(held_->size, wanted))) {
+    if (!held_ || held_->layout() != layout || glm::any(glm::lessThan(held_->size(), wanted))) {
         // A picture by itself gets what it needs; where one follows the other, some room to grow.
-        const glm::ivec2 room = held_ ? glm::max(wanted + wanted / 4, held_->size) : wanted;
+        const glm::ivec2 room = held_ ? glm::max(wanted + wanted / 4, held_->size()) : wanted;
         held_.reset();
-        held_.emplace(glm::min((room + 63) / 64 * 64, size_), samples_);
+        held_.emplace(glm::min((room + 63) / 64 * 64, size_), samples_, layout);
     }
-    glBindFramebuffer(GL_FRAMEBUFFER, held_->framebuffer.id());
+    held_->bind();
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    return *held_;
 }
 
-GLuint Target::sample_colors() const { return held_ ? held_->color.id() : 0; }
-
-void Target::finish() { glFinish(); }
+void Target::finish() { wait_for_pixels(); }
 
 void Target::show() const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, picture_.id());

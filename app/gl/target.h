@@ -3,6 +3,7 @@
 #include "core/image/image.h"
 #include "core/picture/frame.h"
 #include "gl/objects.h"
+#include "gl/samples.h"
 
 #include <glm/vec2.hpp>
 
@@ -25,11 +26,11 @@ public:
     void bind_picture() const;
     /// Draws go to new, clear samples of this box of the picture; its lower left corner is the samples' origin. Samples
     /// take much memory, and a driver on the processor long to clear them, so there are no more than must be.
-    void bind_samples(const PixelRect& box);
+    const Samples& bind_samples(const PixelRect& box, Samples::Layout layout);
     /// The box that has samples.
     const PixelRect& sampled() const { return sampled_; }
-    /// The samples' colours: a GL_TEXTURE_2D_MULTISAMPLE.
-    GLuint sample_colors() const;
+    /// There are some after bind_samples().
+    const Samples& held() const { return *held_; }
 
     /// Waits until all is drawn.
     static void finish();
@@ -39,15 +40,6 @@ public:
     Image read() const;
 
 private:
-    struct Samples {
-        Samples(glm::ivec2 size, int count);
-
-        glm::ivec2 size;
-        GlTexture color;
-        GlRenderbuffer depth;
-        GlFramebuffer framebuffer;
-    };
-
     glm::ivec2 size_;
     int samples_;
     GlRenderbuffer color_;

@@ -1,6 +1,7 @@
 #include "gl/tracer.h"
 
 #include "core/program/ray_samples.h"
+#include "gl/driver.h"
 
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
@@ -48,15 +49,6 @@ std::string generated(const ImplicitSurface& surface, formulas::Precision precis
            "const bool POLYNOMIAL = " + (exact ? "true" : "false") + ";\n";
 }
 
-bool driver_has_doubles() {
-    GLint count = 0;
-    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-    for (GLuint i = 0; i < static_cast<GLuint>(count); ++i)
-        if (reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i)) == std::string_view("GL_ARB_gpu_shader_fp64"))
-            return true;
-    return false;
-}
-
 // Where the box lies in the picture, in GL's pixels, and one pixel around it; the whole picture where a part is behind the eye.
 PixelRect box_in_picture(const formulas::Box& box, const CameraView& view, glm::ivec2 size,
                          const glm::dmat4& object_from_world) {
@@ -100,7 +92,7 @@ formulas::Precision Tracer::precision(const ImplicitSurface& surface) const {
 }
 
 void Tracer::hold(const ImplicitSurface& surface) {
-    if (!asked_) has_doubles_ = driver_has_doubles();
+    if (!asked_) has_doubles_ = has_doubles();
     asked_ = true;
     if (ready(surface)) return;
     program_.emplace(generated(surface, precision(surface)));
@@ -114,6 +106,7 @@ void Tracer::hold(glm::ivec2 size, std::size_t layers) {
         tile_counts_ = (size + kTile - 1) / kTile;
         tiles_.emplace(tile_counts_, GL_R8);
     }
+    if (!nothing_) nothing_.emplace(glm::ivec2(1), GL_RGBA32F);
     while (layers_.size() < layers) layers_.emplace_back(size, GL_RGBA32F);
 }
 
@@ -182,12 +175,12 @@ void Tracer::trace(const ImplicitSurface& surface, const CameraView& view, glm::
     glActiveTexture(GL_TEXTURE1);
     glBindTexture(GL_TEXTURE_2D, tiles_->texture.id());
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, layers_.back().texture.id());
+    glBindTexture(GL_TEXTURE_2D, nothing_->texture.id());
     glBindFramebuffer(GL_FRAMEBUFFER, layers_[0].framebuffer.id());
     clear_around_box();
     // What replaces everything blends as well, as far as Mesa knows: it would compile the program a second time for tiles
     // that are wholly covered.
-    glEnable(GL_BLEND);
+    if (blends_floats()) glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ZERO);
     program_->only_edges = 0.0f;
     program_->shift = glm::vec2(0.0f);
@@ -208,7 +201,7 @@ void Tracer::trace(const ImplicitSurface& surface, const CameraView& view, glm::
     }
 
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    if (!blend) glDisable(GL_BLEND);
+    blend ? glEnable(GL_BLEND) : glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
     glScissor(scissor[0], scissor[1], scissor[2], scissor[3]);

@@ -64,6 +64,7 @@ private:
     std::optional<TilesProgram> tiles_program_;
     glm::ivec2 size_{0}, tile_counts_{0};
     PixelRect box_;
+    std::optional<Layer> nothing_;  // to be bound where nothing is read
     std::vector<Layer> layers_;
     std::optional<Layer> tiles_;
     PaneVertices everywhere_;

@@ -1,6 +1,6 @@
 #include "gl/version.h"
 
-#include <glad/gl.h>
+#include "gl/gl.h"
 
 namespace normalscope {
 

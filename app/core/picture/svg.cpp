@@ -21,8 +21,7 @@ namespace {
 class PaneWriter {
 public:
     PaneWriter(const Scene& scene, const Frame& frame, const Pane& pane, double pixel_scale)
-        : scene_(scene),
-          frame_(frame),
+        : frame_(frame),
           pane_(pane),
           colors_(theme_colors(frame.theme)),
           m_(world_from_object(scene)),
@@ -249,7 +248,6 @@ private:
         }
     }
 
-    const Scene& scene_;
     const Frame& frame_;
     const Pane& pane_;
     ThemeColors colors_;
