@@ -4,10 +4,10 @@
 #   cmake/fetch_third_party.sh FOLDER     leaves FOLDER/imgui and FOLDER/glad
 #
 # Why not install packages: the packaged ImGui loads GL from libGL, which is not the library that OSMesa draws with,
-# and Debian 12 has neither this ImGui nor glad2. So apt is run with a private list of sources and private state:
-# it needs no privileges, checks Debian's signatures, and changes nothing outside FOLDER.
+# and Debian 12 has neither this ImGui nor glad2.
 set -eu
 
+here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$1"
 folder=$(cd "$1" && pwd)
 exec 9>"$folder/.lock" && flock 9        # several build folders may share one FOLDER
@@ -16,33 +16,14 @@ exec 9>"$folder/.lock" && flock 9        # several build folders may share one F
 work=$folder/.work
 log=$folder/fetch.log
 rm -rf "$work" "$folder/imgui" "$folder/glad"
-mkdir -p "$work/lists/partial" "$work/cache/archives/partial"
-cd "$work"
+mkdir -p "$work"
 : >"$log"
+. "$here/private_apt.sh"
+cd "$work"
 
 die() {
     echo "$1 (see $log); or set NORMALSCOPE_IMGUI_DIR and NORMALSCOPE_GLAD_DIR, see cmake/third_party.cmake" >&2
     exit 1
-}
-
-private() {
-    "$@" -qq -o Dir::Etc::sourcelist="$work/trixie.list" -o Dir::Etc::sourceparts=/dev/null \
-        -o Dir::State::lists="$work/lists" -o Dir::Cache="$work/cache" -o APT::Sandbox::User="$(id -un)" \
-        -o Acquire::Languages=none -o APT::Update::Error-Mode=any >>"$log" 2>&1
-}
-
-# The archives that this machine already uses are the ones it can reach. A third party's archive may be among them
-# (its path can end in "debian" too), so the first that serves a trixie signed by Debian is taken.
-update_from_own_archive() {
-    . /etc/os-release
-    for archive in $(apt-get update --print-uris -o Debug::NoLocking=1 2>>"$log" |
-            sed -nE "s,^'(.*)/dists/(${VERSION_CODENAME:-trixie}|stable|testing|unstable|sid)/InRelease'.*,\1,p"); do
-        for type in deb deb-src; do
-            echo "$type [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $archive trixie main"
-        done >trixie.list
-        private apt-get update && return
-    done
-    return 1
 }
 
 command -v apt-get >/dev/null || die "Dear ImGui and glad are fetched by apt-get, which this system lacks"

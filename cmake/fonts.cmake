@@ -5,7 +5,7 @@ function(find_font name package)
   find_file(${variable} ${name}
     PATHS /usr/share/fonts /usr/local/share/fonts
     PATH_SUFFIXES truetype/open-sans truetype/dejavu open-sans dejavu TTF
-    DOC "The font ${name}")
+    DOC "The font ${name}" NO_CMAKE_FIND_ROOT_PATH)
   if(NOT ${variable})
     message(FATAL_ERROR "${name} was not found: install ${package}, or set ${variable} to its path")
   endif()

@@ -21,8 +21,12 @@ if(NOT EXISTS "${NORMALSCOPE_IMGUI_DIR}/imgui.h" OR NOT EXISTS "${NORMALSCOPE_GL
   endif()
 endif()
 
-add_library(glad STATIC "${NORMALSCOPE_GLAD_DIR}/src/gl.c")
-target_include_directories(glad SYSTEM PUBLIC "${NORMALSCOPE_GLAD_DIR}/include")
+if(EMSCRIPTEN)
+  add_library(glad INTERFACE)  # a page's GL needs no loader
+else()
+  add_library(glad STATIC "${NORMALSCOPE_GLAD_DIR}/src/gl.c")
+  target_include_directories(glad SYSTEM PUBLIC "${NORMALSCOPE_GLAD_DIR}/include")
+endif()
 
 set(imgui "${NORMALSCOPE_IMGUI_DIR}")
 add_library(imgui STATIC
@@ -43,6 +47,8 @@ target_include_directories(imgui_backends SYSTEM PUBLIC "${imgui}/backends")
 target_link_libraries(imgui_backends PUBLIC imgui glad)
 
 # With its own loader ImGui takes GL from libGL and fails in OSMesa; LOADER_CUSTOM means "the includer brought one".
-set_source_files_properties("${imgui}/backends/imgui_impl_opengl3.cpp" PROPERTIES
-  COMPILE_DEFINITIONS IMGUI_IMPL_OPENGL_LOADER_CUSTOM
-  COMPILE_OPTIONS "-include;glad/gl.h")
+if(NOT EMSCRIPTEN)
+  set_source_files_properties("${imgui}/backends/imgui_impl_opengl3.cpp" PROPERTIES
+    COMPILE_DEFINITIONS IMGUI_IMPL_OPENGL_LOADER_CUSTOM
+    COMPILE_OPTIONS "-include;glad/gl.h")
+endif()

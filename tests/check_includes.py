@@ -26,6 +26,7 @@ LIBRARIES = {
     "GL": r"(glad|GL|GLES\d?)/",
     "EGL": r"(EGL|KHR)/",
     "GLFW": r"GLFW/",
+    "Emscripten": r"emscripten",
     "ImGui": r"(imgui|imstb)(?!_impl)",
     "ImGui backends": r"imgui_impl",
     "assets": r"embedded\.h$",

@@ -1,9 +1,9 @@
 #include "desktop/keys.h"
 
+#include "viewer/key_press.h"
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-
-#include <cctype>
 
 namespace normalscope {
 
@@ -11,26 +11,6 @@ namespace {
 
 // GLFW and Dear ImGui both have these one after the other.
 ImGuiKey nth(ImGuiKey first, int n) { return static_cast<ImGuiKey>(first + n); }
-
-ImGuiKey key_of_sign(char sign) {
-    if (std::isalpha(static_cast<unsigned char>(sign)))
-        return nth(ImGuiKey_A, std::tolower(static_cast<unsigned char>(sign)) - 'a');
-    switch (sign) {
-        case '\'': return ImGuiKey_Apostrophe;
-        case ',': return ImGuiKey_Comma;
-        case '-': return ImGuiKey_Minus;
-        case '.': return ImGuiKey_Period;
-        case '/': return ImGuiKey_Slash;
-        case ';': return ImGuiKey_Semicolon;
-        case '=':
-        case '+': return ImGuiKey_Equal;  // a US keyboard has them on one key
-        case '[': return ImGuiKey_LeftBracket;
-        case '\\': return ImGuiKey_Backslash;
-        case ']': return ImGuiKey_RightBracket;
-        case '`': return ImGuiKey_GraveAccent;
-        default: return ImGuiKey_None;
-    }
-}
 
 ImGuiKey key_of_sign_at(int place) {
     switch (place) {

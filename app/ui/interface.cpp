@@ -327,6 +327,8 @@ void Interface::toggle_help() { state_->help = !state_->help; }
 void Interface::toggle_panel() { state_->panel_shown = !state_->panel_shown; }
 bool Interface::panel_shown() const { return state_->panel_shown; }
 void Interface::ask_open() { state_->dialog.open(FileDialog::For::OpenAny); }
+bool Interface::asks_for_file() const { return state_->dialog.is_open() && state_->dialog.opens(); }
+void Interface::ask_no_more() { state_->dialog.withdraw(); }
 void Interface::ask_save_scene() { state_->dialog.open(FileDialog::For::SaveScene); }
 void Interface::ask_save_picture() { state_->dialog.open(FileDialog::For::SavePicture); }
 void Interface::ask(Asked what, std::string title, std::string text, std::vector<std::string> choices) {

@@ -85,6 +85,9 @@ public:
     void toggle_panel();
     bool panel_shown() const;
     void ask_open();
+    /// Something that is to be opened is asked for, by a dialog that is about to appear; or no more.
+    bool asks_for_file() const;
+    void ask_no_more();
     void ask_save_scene();
     void ask_save_picture();
     /// Asks before anything else goes on; the answer is among the requests.

@@ -1,9 +1,12 @@
+#include "core/base/decimal.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/explain/explanation.h"
 #include "core/image/png.h"
+#include "core/lessons/address.h"
 #include "core/lessons/link.h"
 #include "core/lessons/open.h"
+#include "core/lessons/scene_caption.h"
 #include "core/mesh/mesh_file.h"
 #include "core/picture/make_frame.h"
 #include "core/picture/svg.h"
@@ -112,6 +115,39 @@ void Viewer::save() {
     }
 }
 
+void Viewer::show_panel(bool shown) {
+    wake();
+    if (gui_.interface.panel_shown() != shown) gui_.interface.toggle_panel();
+}
+
+void Viewer::present_in_place() {
+    wake();
+    lecture().present(true);
+}
+
+void Viewer::complain(std::string_view line) {
+    wake();
+    gui_.interface.show_error(line);
+}
+
+std::string Viewer::description() const {
+    const Scene& now = document_.scene;
+    std::string text = (in_lesson() ? lecture().player.step().caption : said_of(now).caption) + " Normals go by the " +
+                       std::string(name(now.rule)) + " rule.";
+    if (frame_ && frame_->probe && frame_->probe->error_degrees)
+        text += " At the probe, the naive normal is " + with_decimals(*frame_->probe->error_degrees, 3) +
+                " degrees from perpendicular.";
+    return text;
+}
+
+std::string Viewer::address() const {
+    if (exercising()) return "exercises:" + std::to_string(lecture().exercises.seed());
+    if (in_lesson() && is_built_in_lesson(document_.file()))
+        return address_of_step(document_.file(), lecture().player.number());
+    if (!document_.unsaved() && is_built_in_scene(document_.file())) return document_.file();
+    return link_of(document_.scene);
+}
+
 void Viewer::open(const std::string& name) {
     wake();
     if (opening_) return gui_.interface.show_note("Still reading a file");
@@ -164,6 +200,7 @@ void Viewer::take(Opened opened) {
 void Viewer::save_scene(const std::filesystem::path& file) {
     normalscope::save_scene(document_.scene, file);
     document_.saved_as(file.string());
+    host_.saved(file);
     gui_.interface.show_note("Saved " + document_.file());
     if (std::exchange(closes_when_saved_, false)) close();
 }
@@ -174,12 +211,14 @@ void Viewer::save_picture(const std::filesystem::path& file) {
         const Frame vectors = make_frame(shown_scene(), surfaces_->get(document_.scene),
                                          {.rect = rect, .pixel_scale = scale(), .handles = false});
         write_file(file, svg_text(shown_scene(), vectors, scale(), Ground::Scene));
+        host_.saved(file);
         return gui_.interface.show_note("Saved " + file.string());
     }
     const Frame frame = frame_now(Marks::AsSaved);
     gui_.layout(shown_scene().theme, scale(), [&] { gui_.interface.draw_words(frame); });
     drawn_.reset();
     write_png(file, cropped(host_.image_of(frame), frame.rect.origin, frame.rect.size));
+    host_.saved(file);
     gui_.interface.show_note("Saved " + file.string());
     wake();
 }
@@ -191,7 +230,7 @@ void Viewer::copy_command() {
 }
 
 void Viewer::copy_link() {
-    host_.set_clipboard(link_of(document_.scene));
+    host_.set_clipboard(host_.address_of(link_of(document_.scene)));
     const auto* mesh = std::get_if<MeshSurface>(&document_.scene.surface);
     gui_.interface.show_note(mesh ? "Copied a link to this scene. It names " + mesh->mesh +
                                         " but does not hold it: whoever opens the link needs that file there"
@@ -206,7 +245,9 @@ void Viewer::copy_equations() {
 
 void Viewer::paste() {
     const std::string text = host_.clipboard();
-    if (!is_link(text)) return gui_.interface.show_note("The clipboard holds no link; one begins with normalscope:");
+    const bool address = text.starts_with("http") && text.find('#') != text.npos;
+    if (!is_link(text) && !address)
+        return gui_.interface.show_note("The clipboard holds no link; one begins with normalscope:");
     open(text);
 }
 

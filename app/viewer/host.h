@@ -5,6 +5,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <filesystem>
 #include <string>
 
 namespace normalscope {
@@ -45,6 +46,12 @@ public:
     virtual void toggle_full_screen() = 0;
     virtual void to_next_monitor() = 0;
     virtual void close() = 0;
+    /// Asks for a file in a way of its own, and opens what is chosen; false: it has none.
+    virtual bool choose_file() { return false; }
+    /// A file has been written, which the user cannot reach where there are no files.
+    virtual void saved(const std::filesystem::path&) {}
+    /// What a link is handed on as: with a page's own address before it, it opens there by itself.
+    virtual std::string address_of(const std::string& link) const { return link; }
     /// Work that no file holds, as unsaved_text() writes it: to be offered next time. Empty: nothing.
     virtual void keep(const std::string& unsaved) = 0;
 };

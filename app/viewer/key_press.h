@@ -16,4 +16,7 @@ struct KeyPress {
     bool alt() const { return (modifiers & ImGuiMod_Alt) != 0; }
 };
 
+/// The key that this sign is printed on; none for others.
+ImGuiKey key_of_sign(char sign);
+
 }  // namespace normalscope

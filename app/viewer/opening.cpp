@@ -1,5 +1,6 @@
 #include "viewer/opening.h"
 
+#include "core/lessons/address.h"
 #include "core/lessons/link.h"
 #include "core/lessons/open.h"
 #include "core/mesh/mesh_file.h"
@@ -27,6 +28,7 @@ void read_meshes(const Lesson& lesson, const Scene& read) {
 }  // namespace
 
 Opened read_file(const std::string& file, const Scene& scene) {
+    if (const auto named = name_of_address(file)) return read_file(*named, scene);
     Opened opened{.file = is_link(file) || file == "-" ? "" : file, .scene = scene};
     const Contents contents = open_name(file);
     if (const auto* exercises = std::get_if<ExercisesName>(&contents)) {

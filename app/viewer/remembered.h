@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace normalscope {
@@ -17,5 +18,10 @@ struct Remembered {
     bool motion = true;                          ///< false: what would move by itself is at its end at once
     std::vector<UnsavedWork> unsaved{};          ///< where it ended before that was saved
 };
+
+/// The scale and the lessons as JSON, for whoever keeps it.
+std::string remembered_text(const Remembered& remembered);
+/// What is missing or damaged is as at first: nobody's work depends on it.
+Remembered remembered_of(std::string_view json);
 
 }  // namespace normalscope

@@ -182,6 +182,7 @@ Requests Viewer::compose() {
 
 void Viewer::draw() {
     if (!has_room()) return;
+    if (gui_.interface.asks_for_file() && host_.choose_file()) gui_.interface.ask_no_more();
     const auto began = std::chrono::steady_clock::now();
     const Requests requests = compose();
     // While only the interface changes, as in a dialog, the samples still hold the picture.

@@ -55,6 +55,16 @@ public:
     /// Something is being read in the background.
     bool opening() const { return static_cast<bool>(opening_); }
 
+    /// For a picture by itself, as in a page of others.
+    void show_panel(bool shown);
+    /// As F5 does, where there is no full screen.
+    void present_in_place();
+    /// One line that the user must see.
+    void complain(std::string_view line);
+    /// What is seen in words, for whoever does not see it: the scene's sentence, its rule, the angle at the probe.
+    std::string description() const;
+    /// What is seen, as a page's address has it after "#": its name where it has one, or else a link.
+    std::string address() const;
     Remembered remembered() const;
     const Scene& scene() const { return document_.scene; }
     const Interface& interface() const { return gui_.interface; }

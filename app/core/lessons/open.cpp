@@ -6,6 +6,7 @@
 #include "core/base/overload.h"
 #include "core/base/text.h"
 #include "core/formula/parse.h"
+#include "core/lessons/address.h"
 #include "core/lessons/link.h"
 #include "core/mesh/mesh_file.h"
 #include "core/scene/scene_json.h"
@@ -50,6 +51,10 @@ std::string lesson_names() {
     std::vector<std::string> names;
     for (const BuiltInLesson& lesson : built_in_lessons()) names.push_back(lesson.name);
     return joined(names);
+}
+
+std::optional<std::string_view> scene_text_of(const std::string& name) {
+    return embedded::file(std::string(kSceneFolder) + name + ".json");
 }
 
 [[noreturn]] void refuse(const std::string& name) {
@@ -114,13 +119,14 @@ std::optional<Contents> step_of(const std::string& name) {
 
 Contents open_name(const std::string& name) {
     if (name.empty()) throw InputError("FILE", "its name is empty; give a file, or the name of a built-in scene");
+    if (const auto named = name_of_address(name)) return open_name(*named);
     if (is_link(name)) return scene_of_link(name);
     if (const auto exercises = exercises_name(name)) return *exercises;
     if (name == "-") return contents_of_standard_input();
     if (is_mesh_file(name)) return MeshFile{name};
     if (ending_of(name) == ".json")
         return contents_of_json(read_file(name, kLargestFile), name, fs::path(name).parent_path());
-    if (const auto text = embedded::file(std::string(kSceneFolder) + name + ".json")) return parse_scene(*text, name);
+    if (const auto text = scene_text_of(name)) return parse_scene(*text, name);
     if (is_built_in_lesson(name)) return OpenedLesson{std::make_shared<const Lesson>(built_in_lesson(name)), {}};
     if (std::optional<Contents> step = step_of(name)) return *std::move(step);
     refuse(name);
@@ -163,6 +169,8 @@ void save_scene(const Scene& scene, const fs::path& file) {
     }
     write_file(file, scene_text(portable) + "\n");
 }
+
+bool is_built_in_scene(const std::string& name) { return scene_text_of(name).has_value(); }
 
 std::vector<BuiltInScene> built_in_scenes() {
     std::vector<BuiltInScene> scenes;

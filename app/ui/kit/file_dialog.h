@@ -19,6 +19,9 @@ public:
     /// The open scene's file, which saving the scene proposes; empty where it has none.
     void set_scene_file(const std::string& file) { scene_file_ = file; }
     bool is_open() const { return open_; }
+    bool opens() const { return !saves(); }
+    /// It does not come after all.
+    void withdraw() { open_ = false; }
 
     void draw(const Look& look, ExtraLetters& letters, Requests& requests);
 

@@ -19,6 +19,7 @@ public:
     void start(std::uint64_t seed, Scene& scene);
     void stop() { running_ = false; }
     bool running() const { return running_; }
+    std::uint64_t seed() const { return exercise_.seed; }
     /// The scene before the exercises, whose own have been stripped of what would tell the answer; else the scene itself.
     Scene scene_before(const Scene& scene) const;
     /// Ends the exercises, and gives that scene back.

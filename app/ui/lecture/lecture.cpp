@@ -23,8 +23,10 @@ void Lecture::start(std::shared_ptr<const Lesson> lesson, const Scene& scene, st
     std::size_t first = step.value_or(left_at == progress.end() ? 0 : left_at->second);
     if (!step && first + 1 >= lesson->steps.size()) first = 0;  // it had been gone through
     exercises.stop();
-    player.start(std::move(lesson), first, scene);
-    go_to(player.number(), scene);
+    // Whoever comes back to a step has answered what has been answered.
+    if (!player.running() || player.lesson().name != lesson->name || !step)
+        player.start(std::move(lesson), first, scene);
+    go_to(first, scene);
 }
 
 void Lecture::leave(Scene& scene) {

@@ -1,0 +1,61 @@
+#include "core/lessons/address.h"
+
+#include "core/base/error.h"
+#include "core/lessons/lesson.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace normalscope {
+
+namespace {
+
+bool is_address(std::string_view text) {
+    constexpr std::array<std::string_view, 4> kBeginnings{"#", "http://", "https://", "file://"};
+    return std::ranges::any_of(kBeginnings, [&](std::string_view beginning) { return text.starts_with(beginning); });
+}
+
+std::string_view without_space_around(std::string_view text) {
+    constexpr std::string_view kSpace = " \t\r\n";
+    text.remove_prefix(std::min(text.find_first_not_of(kSpace), text.size()));
+    return text.substr(0, text.find_last_not_of(kSpace) + 1);
+}
+
+// "%23" is "#"; what is no such code stays as it is.
+std::string decoded(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        unsigned char letter = 0;
+        const bool code = text.size() > 2 && text[0] == '%';
+        const char *from = text.data() + 1, *to = text.data() + 3;
+        if (code && std::from_chars(from, to, letter, 16).ptr == to) {
+            result += static_cast<char>(letter);
+            text.remove_prefix(3);
+        } else {
+            result += text.front();
+            text.remove_prefix(1);
+        }
+    }
+    return result;
+}
+
+}  // namespace
+
+std::optional<std::string> name_of_address(std::string_view text) {
+    text = without_space_around(text);
+    if (!is_address(text)) return std::nullopt;
+    const auto mark = text.find('#');
+    std::string name = mark == text.npos ? "" : decoded(text.substr(mark + 1));
+    if (name.empty())
+        throw InputError("address", "nothing stands behind a # at its end; copy it from the page by Ctrl+L");
+    const auto slash = name.rfind('/');
+    if (slash != name.npos && is_built_in_lesson(name.substr(0, slash))) name[slash] = '#';
+    return name;
+}
+
+std::string address_of_step(const std::string& lesson, std::size_t step) {
+    return lesson + "/" + std::to_string(step + 1);
+}
+
+}  // namespace normalscope

@@ -1,0 +1,52 @@
+#include "viewer/remembered.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace normalscope {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostLessons = 200;
+
+double factor(const Json& json, const char* key) {
+    const auto it = json.find(key);
+    return it != json.end() && it->is_number() ? std::clamp(it->get<double>(), 0.6, 3.0) : 1.0;
+}
+
+std::map<std::string, std::size_t> steps(const Json& json) {
+    std::map<std::string, std::size_t> result;
+    const auto it = json.find("lessons");
+    if (it == json.end() || !it->is_object()) return result;
+    for (const auto& [lesson, step] : it->items())
+        if (step.is_number_unsigned() && result.size() < kMostLessons) result[lesson] = step.get<std::size_t>();
+    return result;
+}
+
+}  // namespace
+
+std::string remembered_text(const Remembered& remembered) {
+    Json json;
+    json["interface_scale"] = remembered.scale.interface;
+    json["presenter_scale"] = remembered.scale.presenter;
+    if (!remembered.motion) json["motion"] = false;
+    for (const auto& [lesson, step] : remembered.lessons) json["lessons"][lesson] = step;
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Remembered remembered_of(std::string_view text) {
+    Remembered remembered;
+    const Json json = Json::parse(text, nullptr, false);
+    if (!json.is_object()) return remembered;
+    remembered.scale.interface = factor(json, "interface_scale");
+    remembered.scale.presenter = factor(json, "presenter_scale");
+    remembered.lessons = steps(json);
+    if (const auto motion = json.find("motion"); motion != json.end() && motion->is_boolean())
+        remembered.motion = motion->get<bool>();
+    return remembered;
+}
+
+}  // namespace normalscope

@@ -1,0 +1,69 @@
+// The page around the engine: `page` is what the engine asks, and `engine` what the page calls. The other scripts add to it.
+const canvas = document.getElementById("canvas");
+const page = { canvas };
+let engine = null;
+
+const asked = new URLSearchParams(location.search);
+
+// Where storage is forbidden, as in a sandbox, nothing is kept.
+const storage = {
+    get(key) {
+        try {
+            return localStorage.getItem("normalscope." + key) || "";
+        } catch {
+            return "";
+        }
+    },
+    set(key, text) {
+        try {
+            if (text) localStorage.setItem("normalscope." + key, text);
+            else localStorage.removeItem("normalscope." + key);
+        } catch { /* full, or forbidden: what is seen is still in the address */ }
+    },
+};
+page.remember = (key, text) => storage.set(key, text);
+
+const call = (name, result, types, values) => engine.ccall("page_" + name, result, types, values);
+
+function sorry(line) {
+    const wait = document.getElementById("wait");
+    wait.hidden = false;
+    wait.className = "sorry";
+    wait.textContent = line;
+    canvas.hidden = true;
+}
+
+// One letter is one byte, plus one.
+function bytesOf(text) {
+    const bytes = new Uint8Array(text.length);
+    for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i) - 1;
+    return bytes;
+}
+
+async function start() {
+    if (!window.WebAssembly) return sorry("Normalscope needs WebAssembly, which this browser does not have.");
+    const probe = document.createElement("canvas").getContext("webgl2");
+    if (!probe) return sorry("Normalscope needs WebGL 2, which this browser does not have or has turned off.");
+    probe.getExtension("WEBGL_lose_context")?.loseContext();
+    try {
+        engine = await makeEngine({ page, wasmBinary: bytesOf(engineText), print: console.log, printErr: console.warn });
+    } catch (error) {
+        return sorry("Normalscope cannot start: " + error.message);
+    }
+    const { width, height, scale } = sizeNow();
+    canvas.width = width;
+    canvas.height = height;
+    const named = nameInAddress() || nameAskedFor();
+    const prefers = (what) => matchMedia(`(prefers-${what})`).matches ? 1 : 0;
+    const failed = call("start", "string", ["string", "string", "string", "number", "number", "number", "number", "number"],
+        [named, storage.get("settings"), named ? "" : storage.get("unsaved"), width, height, scale, prefers("color-scheme: dark"), prefers("reduced-motion: reduce")]);
+    if (failed) return sorry("Normalscope cannot start: " + failed + ".");
+    document.getElementById("wait").hidden = true;
+    call("set_in", null, ["number", "number"], [asked.get("panel") === "0" ? 0 : 1, asked.has("present") ? 1 : 0]);
+    frame();
+    tell({ normalscope: "ready" });
+}
+
+window.addEventListener("DOMContentLoaded", start);
+
+const line = () => call("line", "string", [], []);  // the message that is shown

@@ -1,0 +1,26 @@
+# Read by scripts that fetch packages of Debian 13 ("trixie") without installing them: apt with a private list of sources and
+# private state needs no privileges, checks Debian's signatures, and changes nothing outside $work.
+#
+# Before this is read: $work, an empty folder to work in, and $log, a file that takes what apt says.
+
+mkdir -p "$work/lists/partial" "$work/cache/archives/partial"
+
+private() {
+    "$@" -qq -o Dir::Etc::sourcelist="$work/trixie.list" -o Dir::Etc::sourceparts=/dev/null \
+        -o Dir::State::lists="$work/lists" -o Dir::Cache="$work/cache" -o APT::Sandbox::User="$(id -un)" \
+        -o Acquire::Languages=none -o APT::Update::Error-Mode=any >>"$log" 2>&1
+}
+
+# The archives that this machine already uses are the ones it can reach. A third party's archive may be among them
+# (its path can end in "debian" too), so the first that serves a trixie signed by Debian is taken.
+update_from_own_archive() {
+    . /etc/os-release
+    for archive in $(apt-get update --print-uris -o Debug::NoLocking=1 2>>"$log" |
+            sed -nE "s,^'(.*)/dists/(${VERSION_CODENAME:-trixie}|stable|testing|unstable|sid)/InRelease'.*,\1,p"); do
+        for type in deb deb-src; do
+            echo "$type [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $archive trixie main"
+        done >"$work/trixie.list"
+        private apt-get update && return
+    done
+    return 1
+}

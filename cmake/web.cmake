@@ -1,0 +1,10 @@
+# The toolchain of a page: emscripten, as fetch_web_toolchain.sh leaves it.
+set(web_folder "$ENV{NORMALSCOPE_THIRD_PARTY}")
+if(NOT web_folder)
+  set(web_folder "${CMAKE_CURRENT_LIST_DIR}/../build/third_party")
+endif()
+get_filename_component(web_folder "${web_folder}/web" ABSOLUTE)
+if(NOT EXISTS "${web_folder}/complete")
+  message(FATAL_ERROR "There is no toolchain in ${web_folder}: run ./dev web, or cmake/fetch_web_toolchain.sh")
+endif()
+include("${web_folder}/root/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake")

@@ -1,0 +1,85 @@
+// A browser with the page in it, for the tests beside this file.
+//
+//   NORMALSCOPE_PAGE     the page
+//   NORMALSCOPE          the desktop's program
+//   NORMALSCOPE_MODULES  a folder with node_modules/puppeteer-core
+
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { createServer } from "node:http";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const require = createRequire(join(resolve(process.env.NORMALSCOPE_MODULES), "package.json"));
+const puppeteer = require("puppeteer-core");
+
+export const pageFile = resolve(process.env.NORMALSCOPE_PAGE);
+export const program = (...args) => execFileSync(process.env.NORMALSCOPE, args, { encoding: "utf8", maxBuffer: 1 << 26 });
+export const names = (command) => program(command).split("\n").map((line) => /^([a-z0-9][\w-]*)/.exec(line)?.[1]).filter(Boolean);
+
+// Pixels are drawn by the processor, as in every machine that tests.
+const chromium = {
+    browser: "chrome",
+    executablePath: process.env.NORMALSCOPE_CHROMIUM || "/usr/bin/chromium",
+    args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--hide-scrollbars"],
+};
+const firefox = {
+    browser: "firefox",
+    executablePath: process.env.NORMALSCOPE_FIREFOX || "/usr/bin/firefox-esr",
+    extraPrefsFirefox: { "webgl.force-enabled": true, "privacy.file_unique_origin": false },
+};
+export const launch = (kind = "chromium") =>
+    puppeteer.launch({ ...(kind === "firefox" ? firefox : chromium), headless: true, timeout: 60000, protocolTimeout: 120000 });
+
+export function folder(test) {
+    const path = mkdtempSync(join(tmpdir(), "normalscope-web-"));
+    test.after(() => rmSync(path, { recursive: true, force: true }));
+    return path;
+}
+
+// Serves the page as the simplest of servers does, without any headers of its own; and other pages by their paths.
+export function serve(test, others = {}) {
+    const page = readFileSync(pageFile);
+    const asked = [];
+    const server = createServer((request, response) => {
+        const path = new URL(request.url, "http://x").pathname;
+        asked.push(path);
+        if (path === "/normalscope.html") response.setHeader("Content-Type", "text/html").end(page);
+        else if (others[path]) response.setHeader("Content-Type", "text/html").end(others[path]);
+        else response.writeHead(404).end();
+    });
+    test.after(() => server.close());
+    return new Promise((done) => server.listen(0, "127.0.0.1", () =>
+        done({ url: `http://127.0.0.1:${server.address().port}/normalscope.html`, origin: `http://127.0.0.1:${server.address().port}`, asked })));
+}
+export const fileUrl = pathToFileURL(pageFile).href;
+
+// What the console said that is no mere remark; a page without faults says nothing.
+export function listen(page) {
+    const said = [];
+    // That reading pixels waits for them is what it is for.
+    const harmless = /GPU stall due to ReadPixels|Automatic fallback to software WebGL/;
+    page.on("console", (message) => harmless.test(message.text()) || said.push(`${message.type()}: ${message.text()}`));
+    page.on("pageerror", (error) => said.push(`error: ${error.message}`));
+    return said;
+}
+
+// In the page or a frame of it: from when on everything has been drawn.
+export async function drawn(frame) {
+    await frame.waitForFunction(() => typeof isQuiet === "function" && isQuiet(), { timeout: 90000, polling: 50 });
+}
+
+export async function open(browser, url, { width = 960, height = 600, scale = 1, touch = false } = {}) {
+    const page = await browser.newPage();
+    const said = listen(page);
+    await page.setViewport({ width, height, deviceScaleFactor: scale, hasTouch: touch, isMobile: touch });
+    await page.goto(url);
+    await drawn(page);
+    return { page, said };
+}
+
+// What the page's own functions say.
+export const ask = (frame, name) => frame.evaluate((which) => call(which, "string", [], []), name);
+export const numbers = async (frame) => JSON.parse(await ask(frame, "numbers"));
