@@ -8,6 +8,7 @@
 #include "ui/kit/picture_labels.h"
 #include "ui/kit/question.h"
 #include "ui/kit/side_panel.h"
+#include "ui/panel/drawer.h"
 #include "ui/panel/panel.h"
 #include "ui/panel/panel_memory.h"
 #include "ui/tabs/derivation_panel.h"
@@ -51,7 +52,9 @@ struct Interface::State {
     std::vector<SideTab> tabs();
     /// Not for a room; nor in an exercise, whose answer it would tell; nor where it and the tab that a lesson opens would
     /// leave too little of the picture.
-    bool shows_panel(int framebuffer) const;
+    bool shows_panel(glm::ivec2 framebuffer) const;
+    /// The panel is a drawer below the picture, open or not.
+    bool has_drawer(glm::ivec2 framebuffer) const;
     void want_letters_of_lesson();
     /// How much of the framebuffer's width the open tab takes.
     int side_width(int framebuffer) const;
@@ -133,12 +136,18 @@ std::vector<SideTab> Interface::State::tabs() {
     return tabs;
 }
 
-bool Interface::State::shows_panel(int framebuffer) const {
+bool Interface::State::shows_panel(glm::ivec2 framebuffer) const {
     if (!panel_shown || lecture.presenting || lecture.exercises.running()) return false;
     // Where both leave hardly a picture, the tab that was opened is what one wants to see; closing it is one press.
-    const int beside = side_width(framebuffer);
-    return beside == 0 || framebuffer - static_cast<int>(look.px(kPanelWidth)) - beside >=
+    if (is_drawer(look, framebuffer)) return has_drawer(framebuffer);
+    const int beside = side_width(framebuffer.x);
+    return beside == 0 || framebuffer.x - static_cast<int>(look.px(kPanelWidth)) - beside >=
                               static_cast<int>(look.px(kNarrowestPicture));
+}
+
+// Where words are below the picture, or another panel is over it, there is no room for it.
+bool Interface::State::has_drawer(glm::ivec2 framebuffer) const {
+    return is_drawer(look, framebuffer) && !lecture.talks() && !side.open;
 }
 
 // A lecturer may write in any script.
@@ -198,7 +207,10 @@ bool Interface::prepare(Theme theme, float scale) {
 }
 
 PixelRect Interface::picture(glm::ivec2 framebuffer) const {
-    const bool with_panel = state_->shows_panel(framebuffer.x);
+    const bool with_panel = state_->shows_panel(framebuffer);
+    if (state_->has_drawer(framebuffer))
+        return {{0, 0},
+                {framebuffer.x, std::max(framebuffer.y - drawer_height(state_->look, framebuffer, with_panel), 1)}};
     const int panel = with_panel ? static_cast<int>(state_->look.px(kPanelWidth)) : 0;
     // In a window hardly wider than the panels, they cover part of the picture rather than all of it.
     const int left = framebuffer.x - panel >= panel / 4 ? panel : 0;
@@ -227,10 +239,13 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
                    {static_cast<float>(frame.rect.size.x), ImGui::GetIO().DisplaySize.y - strip_top});
     if (const auto lesson = s.lecture.wanted_lesson()) requests.open = lesson;
     s.dialog.set_scene_file(status.has_file ? status.file : "");
-    if (s.shows_panel(static_cast<int>(ImGui::GetIO().DisplaySize.x)))
+    const glm::ivec2 framebuffer(io.DisplaySize.x, io.DisplaySize.y);
+    if (s.has_drawer(framebuffer) && drawer_handle(s.look, frame.rect, s.panel_shown)) s.panel_shown = !s.panel_shown;
+    if (s.shows_panel(framebuffer))
         draw_panel(scene, s.panel,
                    {.look = s.look,
                     .frame = frame,
+                    .place = panel_place(s.look, framebuffer),
                     .status = status,
                     .requests = requests,
                     .dialog = s.dialog,

@@ -59,6 +59,8 @@ public:
     void show_panel(bool shown);
     /// As F5 does, where there is no full screen.
     void present_in_place();
+    /// As it is seen, without the panel; a name that ends in .svg gets the vector parts. Throws InputError.
+    void save_picture(const std::filesystem::path& file);
     /// One line that the user must see.
     void complain(std::string_view line);
     /// What is seen in words, for whoever does not see it: the scene's sentence, its rule, the angle at the probe.
@@ -137,7 +139,6 @@ private:
     /// To the open file, or to one that is asked for.
     void save();
     void save_scene(const std::filesystem::path& file);
-    void save_picture(const std::filesystem::path& file);
     void copy_command();
     void copy_link();
     void copy_equations();

@@ -5,6 +5,7 @@
 #include "core/lessons/open.h"
 #include "core/lessons/scene_caption.h"
 #include "core/lessons/unsaved_work.h"
+#include "core/scene/scene_json.h"
 #include "gl/version.h"
 #include "web/keys.h"
 #include "web/page.h"
@@ -192,6 +193,9 @@ EMSCRIPTEN_KEEPALIVE const char* page_description() {
     with_viewer([&](const Viewer& viewer) { text = viewer.description(); });
     return given(std::move(text));
 }
+EMSCRIPTEN_KEEPALIVE void page_save_picture() {
+    with_viewer([](Viewer& viewer) { viewer.save_picture("/picture.png"); });
+}
 /// The line that is shown; empty: none.
 EMSCRIPTEN_KEEPALIVE const char* page_line() {
     std::string text;
@@ -209,6 +213,12 @@ EMSCRIPTEN_KEEPALIVE void page_set_in(int panel, int presenting) {
 EMSCRIPTEN_KEEPALIVE const char* page_told() {
     std::string text;
     with_viewer([&](const Viewer& viewer) { text = told(viewer); });
+    return given(std::move(text));
+}
+/// The scene, as a file has it.
+EMSCRIPTEN_KEEPALIVE const char* page_scene() {
+    std::string text;
+    with_viewer([&](const Viewer& viewer) { text = scene_text(viewer.scene()); });
     return given(std::move(text));
 }
 /// As --numbers writes it.

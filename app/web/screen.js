@@ -64,7 +64,8 @@ function resize(width, height, scale) {
 new ResizeObserver((entries) => {
     const exact = entries[0].devicePixelContentBoxSize?.[0];
     const { width, height, scale } = sizeNow();
-    if (exact) resize(exact.inlineSize, exact.blockSize, scale);
+    // What the browser counts to the pixel, unless a scale is but simulated.
+    if (exact && Math.abs(exact.inlineSize - width) <= 1) resize(exact.inlineSize, exact.blockSize, scale);
     else resize(width, height, scale);
 }).observe(canvas);
 function watchScale() {

@@ -157,7 +157,7 @@ class DocsTest(CommandTest):
             shutil.copy(folder / "dev", self.folder)
             for block in blocks(page):
                 with self.subTest(str(block)):
-                    self.assertIn(block.language, ("sh", "json", "cmake", "yaml", "mermaid", "text", "cpp"))
+                    self.assertIn(block.language, ("sh", "json", "cmake", "yaml", "mermaid", "text", "cpp", "html"))
                     if not block.reason and (block.language != "cmake" or shutil.which("cmake")):
                         self.check(block)
             for span in spans(page):

@@ -48,7 +48,7 @@ export function serve(test, others = {}) {
         asked.push(path);
         if (path === "/normalscope.html") response.setHeader("Content-Type", "text/html").end(page);
         else if (others[path]) response.setHeader("Content-Type", "text/html").end(others[path]);
-        else response.writeHead(404).end();
+        else response.writeHead(path === "/favicon.ico" ? 204 : 404).end();
     });
     test.after(() => server.close());
     return new Promise((done) => server.listen(0, "127.0.0.1", () =>
@@ -83,3 +83,11 @@ export async function open(browser, url, { width = 960, height = 600, scale = 1,
 // What the page's own functions say.
 export const ask = (frame, name) => frame.evaluate((which) => call(which, "string", [], []), name);
 export const numbers = async (frame) => JSON.parse(await ask(frame, "numbers"));
+
+// What is seen, as a file has it; and keys as a person presses them.
+export const scene = async (frame) => JSON.parse(await ask(frame, "scene"));
+export async function press(page, ...keys) {
+    for (const key of keys) await page.keyboard.down(key);
+    for (const key of keys.reverse()) await page.keyboard.up(key);
+    await drawn(page);
+}

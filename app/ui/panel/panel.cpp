@@ -121,7 +121,8 @@ void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context) 
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     // In a narrow window, what is open at the other side reaches below this.
     const bool over_side = context.side.open && static_cast<float>(picture.origin.x + picture.size.x) >= screen.x;
-    begin_beside(picture, "##panel", {0, 0}, {look.px(kPanelWidth), screen.y}, 0, over_side);
+    const glm::vec2 at(context.place.origin), room(context.place.size);
+    begin_beside(picture, "##panel", {at.x, at.y}, {room.x, room.y}, 0, over_side);
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     ImGui::GetWindowDrawList()->AddLine({low.x + size.x - 1, low.y}, {low.x + size.x - 1, low.y + size.y},
                                         packed(look.line));

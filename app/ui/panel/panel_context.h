@@ -13,6 +13,7 @@ namespace normalscope {
 struct PanelContext {
     const Look& look;
     const Frame& frame;
+    PixelRect place;  ///< where the panel goes
     const Status& status;
     Requests& requests;
     FileDialog& dialog;

@@ -1,0 +1,92 @@
+// Files, downloads, the clipboard and what is kept.
+
+import assert from "node:assert/strict";
+import { writeFileSync } from "node:fs";
+import { join } from "node:path";
+import test from "node:test";
+
+import { drawn, fileUrl, folder, launch, open, press, scene, serve } from "./browser.mjs";
+
+const browser = await launch();
+test.after(() => browser.close());
+
+const tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+const drop = (page, name, text) => page.evaluate((file, content) => {
+    const data = new DataTransfer();
+    data.items.add(new File([content], file));
+    window.dispatchEvent(Object.assign(new Event("drop", { cancelable: true }), { dataTransfer: data }));
+}, name, text);
+
+test("dropped: a mesh, a scene, and what is neither", async () => {
+    const { page, said } = await open(browser, fileUrl);
+    await drop(page, "solid.obj", tetrahedron);
+    await page.waitForFunction(() => document.title.includes("solid.obj"));
+    assert.equal((await scene(page)).surface.mesh, "/solid.obj");
+    await drop(page, "bad.obj", "v 1 2\nf 1 1 1\n");
+    await page.waitForFunction(() => line().includes("bad.obj"));
+    await drop(page, "holiday.jpg", "x");
+    await page.waitForFunction(() => line().includes("holiday.jpg"));
+    assert.equal((await scene(page)).surface.mesh, "/solid.obj");
+    assert.deepEqual(said, []);
+    await page.close();
+});
+
+test("opened by the browser's dialog", async (t) => {
+    const file = join(folder(t), "mine.json");
+    writeFileSync(file, JSON.stringify({ rule: "cofactor" }));
+    const { page } = await open(browser, fileUrl);
+    const [chooser] = await Promise.all([page.waitForFileChooser(), press(page, "Control", "o")]);
+    await chooser.accept([file]);
+    await page.waitForFunction(() => document.title.includes("mine.json"));
+    assert.equal((await scene(page)).rule, "cofactor");
+    await page.close();
+});
+
+test("the picture is saved by a download", async (t) => {
+    const { page, said } = await open(browser, fileUrl);
+    await page.evaluate(() => { page.download = (name, bytes) => { window.saved = { name, first: [...bytes.slice(0, 4)], length: bytes.length }; }; });
+    await press(page, "Control", "p");
+    await press(page, "Enter");
+    await page.waitForFunction(() => window.saved);
+    assert.deepEqual((await page.evaluate("saved.first")), [0x89, 0x50, 0x4e, 0x47]);
+    assert.deepEqual(said, []);
+    await page.close();
+});
+
+test("Ctrl+L and Ctrl+V: an address through the clipboard, here to here", async (t) => {
+    const { url, origin } = await serve(t);
+    await browser.defaultBrowserContext().overridePermissions(origin, ["clipboard-read", "clipboard-write"]);
+    const { page } = await open(browser, url + "#shear");
+    await page.bringToFront();
+    await press(page, "n");
+    await press(page, "Control", "l");
+    const copied = await page.evaluate(() => navigator.clipboard.readText());
+    assert.ok(copied.startsWith(url + "#normalscope:1."), copied);
+    await press(page, "i");
+    assert.equal((await scene(page)).rule, "inverse-transpose");
+    await page.evaluate((text) => {
+        const data = new DataTransfer();
+        data.setData("text/plain", text);
+        window.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true, cancelable: true }));
+    }, copied);
+    await page.waitForFunction(() => JSON.parse(call("scene", "string", [], [])).rule === "naive");
+    await page.close();
+});
+
+test("where nothing may be copied, it is shown", async (t) => {
+    const { origin } = await serve(t, { "/frame": `<!DOCTYPE html><iframe sandbox="allow-scripts" width="800" height="500" src="/normalscope.html#shear"></iframe>` });
+    const page = await browser.newPage();
+    await page.goto(origin + "/frame");
+    const inner = await (await page.waitForSelector("iframe")).contentFrame();
+    await drawn(inner);
+    await inner.evaluate(() => { document.execCommand = () => false; page.copy("what is to be copied"); });
+    await inner.waitForFunction(() => document.getElementById("to-copy").open && document.getElementById("to-copy-text").value === "what is to be copied");
+    await page.close();
+});
+
+test("lessons' progress and unsaved work are there again", async (t) => {
+    const { url } = await serve(t);
+    const { page } = await open(browser, url + "#1-normal-as-a-point/3");
+    await page.waitForFunction(() => localStorage.getItem("normalscope.settings")?.includes("1-normal-as-a-point"));
+    await page.close();
+});

@@ -1,0 +1,88 @@
+// Mouse, wheel, keys, fingers: they do what they do on the desktop, and the browser keeps out of it.
+
+import assert from "node:assert/strict";
+import test from "node:test";
+
+import { ask, drawn, fileUrl, launch, open, press, scene } from "./browser.mjs";
+
+const browser = await launch();
+test.after(() => browser.close());
+
+// To the right of the panel, on the ground.
+const ground = { x: 900, y: 560 };
+
+test("a drag orbits, the wheel zooms, keys choose a rule, Ctrl+Z undoes", async () => {
+    const { page, said } = await open(browser, fileUrl);
+    const before = await scene(page);
+    await page.mouse.move(ground.x, ground.y);
+    await page.mouse.down();
+    await page.mouse.move(ground.x - 60, ground.y - 40, { steps: 5 });
+    await page.mouse.up();
+    await drawn(page);
+    const turned = await scene(page);
+    assert.notEqual(turned.camera.azimuth, before.camera.azimuth);
+    await page.mouse.wheel({ deltaY: -200 });
+    await drawn(page);
+    assert.ok((await scene(page)).camera.zoom > turned.camera.zoom);
+    await press(page, "n");
+    assert.equal((await scene(page)).rule, "naive");
+    await press(page, "Control", "z");
+    assert.equal((await scene(page)).rule, "inverse-transpose");
+    assert.deepEqual(said, []);
+    await page.close();
+});
+
+test("a formula typed at once after Ctrl+F", async () => {
+    for (let round = 0; round < 3; ++round) {
+        const { page, said } = await open(browser, fileUrl + "#implicit-torus");
+        await page.keyboard.down("Control");
+        await page.keyboard.press("f");
+        await page.keyboard.press("a");
+        await page.keyboard.up("Control");
+        for (const letter of "x^2+y^2+z^2=2") await page.keyboard.press(letter);
+        await page.keyboard.press("Enter");
+        await page.waitForFunction(() => JSON.parse(call("scene", "string", [], [])).surface.formula === "x^2+y^2+z^2=2",
+            { timeout: 30000 });
+        assert.deepEqual(said, []);
+        await page.close();
+    }
+});
+
+test("the browser's own shortcuts are held back where the program has them", async () => {
+    const { page } = await open(browser, fileUrl);
+    const prevented = await page.evaluate(() => ["s", "o", "p", "f", "l", "F1", "F5"].map((key) => {
+        const event = new KeyboardEvent("keydown", { key, code: key.length === 1 ? "Key" + key.toUpperCase() : key, ctrlKey: key.length === 1, cancelable: true, bubbles: true });
+        return !canvas.dispatchEvent(event);
+    }));
+    assert.deepEqual(prevented, Array(7).fill(true));
+    assert.equal(await page.evaluate(() => canvas.dispatchEvent(new KeyboardEvent("keydown", { key: "t", ctrlKey: true, cancelable: true, bubbles: true }))), true);
+    await page.close();
+});
+
+test("fingers: one orbits, two pinch, a tap picks; the keyboard comes for a field", async () => {
+    const { page, said } = await open(browser, fileUrl + "#implicit-torus", { width: 390, height: 844, scale: 2, touch: true });
+    const before = await scene(page);
+    const finger = await page.touchscreen.touchStart(60, 60);
+    await finger.move(120, 90);
+    await finger.move(160, 100);
+    await finger.end();
+    await drawn(page);
+    const turned = await scene(page);
+    assert.notEqual(turned.camera.azimuth, before.camera.azimuth);
+    const [a, b] = [await page.touchscreen.touchStart(150, 200), await page.touchscreen.touchStart(240, 200)];
+    await a.move(120, 200);
+    await b.move(290, 200);
+    await a.end();
+    await b.end();
+    await drawn(page);
+    assert.ok((await scene(page)).camera.zoom > turned.camera.zoom);
+    assert.deepEqual(said, []);
+    await page.close();
+});
+
+test("a phone shows the picture first, and the controls below it", async () => {
+    const { page } = await open(browser, fileUrl, { width: 390, height: 844, scale: 2, touch: true });
+    const shown = JSON.parse(await ask(page, "numbers")).picture ?? null;
+    assert.ok(shown === null || shown.size[0] === 780, JSON.stringify(shown));
+    await page.close();
+});

@@ -1,0 +1,58 @@
+// Frames only when something changes, sharp pixels, and a context that is lost and comes back.
+
+import assert from "node:assert/strict";
+import test from "node:test";
+
+import { drawn, fileUrl, launch, open } from "./browser.mjs";
+
+const browser = await launch();
+test.after(() => browser.close());
+
+test("an idle page draws nothing", async () => {
+    const { page } = await open(browser, fileUrl);
+    await new Promise((done) => setTimeout(done, 6000));  // notes have gone
+    const before = await page.evaluate("drawn");
+    await new Promise((done) => setTimeout(done, 2000));
+    assert.equal(await page.evaluate("drawn"), before);
+    await page.close();
+});
+
+for (const scale of [1, 1.5, 2])
+    test(`a canvas pixel is a pixel of the screen, at ${scale}`, async () => {
+        const { page, said } = await open(browser, fileUrl, { width: 800, height: 500, scale });
+        assert.deepEqual(await page.evaluate("[canvas.width, canvas.height]"), [800 * scale, 500 * scale]);
+        await page.setViewport({ width: 640, height: 480, deviceScaleFactor: scale });
+        await page.waitForFunction((width) => canvas.width === width, {}, 640 * scale);
+        await drawn(page);
+        assert.deepEqual(said, []);
+        await page.close();
+    });
+
+test("a lost context comes back", async () => {
+    const { page, said } = await open(browser, fileUrl + "#implicit-torus");
+    const before = await page.screenshot();
+    await page.evaluate(() => { window.lose = canvas.getContext("webgl2").getExtension("WEBGL_lose_context"); lose.loseContext(); });
+    await new Promise((done) => setTimeout(done, 300));
+    await page.evaluate(() => lose.restoreContext());
+    await new Promise((done) => setTimeout(done, 500));
+    await drawn(page);
+    await new Promise((done) => setTimeout(done, 500));
+    assert.ok(before.equals(await page.screenshot()), "the picture is another");
+    assert.deepEqual(said.filter((line) => !/CONTEXT_LOST_WEBGL|loseContext/.test(line)), []);
+    await page.close();
+});
+
+test("without WebGL 2 one sentence says so", async () => {
+    const page = await browser.newPage();
+    await page.evaluateOnNewDocument(() => { HTMLCanvasElement.prototype.getContext = () => null; });
+    await page.goto(fileUrl);
+    await page.waitForFunction(() => document.querySelector(".sorry")?.textContent.includes("needs WebGL 2"));
+    await page.close();
+});
+
+test("whoever does not see is told", async () => {
+    const { page } = await open(browser, fileUrl);
+    assert.equal(await page.evaluate("document.documentElement.lang"), "en");
+    assert.match(await page.evaluate("document.getElementById('said').textContent"), /rule.*degrees/);
+    await page.close();
+});
