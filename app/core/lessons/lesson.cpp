@@ -53,7 +53,8 @@ std::vector<std::string> read_equations(const Json& json, const JsonPath& path) 
 std::string read_tab(const Json& json, const JsonPath& path) {
     const std::vector<std::string> names = tab_names();
     const std::string name = words(json, path, kLongestNote);
-    if (std::ranges::find(names, name) == names.end() && !line_of_tab(name)) fail_kind(path, "one of " + joined(names), json);
+    if (std::ranges::find(names, name) == names.end() && !line_of_tab(name))
+        fail_kind(path, "one of " + joined(names), json);
     return name;
 }
 
