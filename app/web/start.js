@@ -60,8 +60,8 @@ async function start() {
     if (failed) return sorry("Normalscope cannot start: " + failed + ".");
     document.getElementById("wait").hidden = true;
     call("set_in", null, ["number", "number"], [asked.get("panel") === "0" ? 0 : 1, asked.has("present") ? 1 : 0]);
-    frame();
     tell({ normalscope: "ready" });
+    frame();
 }
 
 window.addEventListener("DOMContentLoaded", start);

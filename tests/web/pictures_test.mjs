@@ -29,7 +29,7 @@ for (const name of ["slide-scale", "shear", "implicit-torus", "1-normal-as-a-poi
         const here = folder(t);
         const { page, said } = await open(browser, `${fileUrl}?panel=0#${name.replace("#", "/")}`, { width: 960, height: 600 });
         const saved = await page.evaluate(() => new Promise((done) => {
-            window.page.download = (file, bytes) => done([...bytes]);
+            page.download = (file, bytes) => done([...bytes]);
             call("save_picture", null, [], []);
         }));
         writeFileSync(join(here, "page.png"), Buffer.from(saved));
