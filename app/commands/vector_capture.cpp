@@ -1,7 +1,7 @@
 #include "commands/vector_capture.h"
 
 #include "commands/studio.h"
-#include "core/picture/display_scale.h"
+#include "core/frame/display_scale.h"
 #include "core/picture/make_frame.h"
 #include "core/picture/svg.h"
 #include "core/scene/scene_json.h"

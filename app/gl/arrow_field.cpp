@@ -1,6 +1,6 @@
 #include "gl/arrow_field.h"
 
-#include "core/picture/solids.h"
+#include "core/frame/solids.h"
 #include "gl/driver.h"
 #include "gl/vertex_layout.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/picture/frame.h"
+#include "core/frame/frame.h"
 #include "core/picture/site_clusters.h"
 #include "gl/objects.h"
 #include "gl/programs.h"

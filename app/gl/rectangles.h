@@ -2,7 +2,7 @@
 
 // Rectangles as GL counts them: from the lower left.
 
-#include "core/picture/frame.h"
+#include "core/frame/frame.h"
 #include "gl/target.h"
 
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/picture/frame.h"
+#include "core/frame/frame.h"
 #include "gl/arrow_field.h"
 #include "gl/programs.h"
 #include "gl/target.h"

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/frame/frame.h"
 #include "core/math/camera.h"
-#include "core/picture/frame.h"
 #include "core/surface/implicit_surface.h"
 #include "gl/objects.h"
 #include "gl/programs.h"

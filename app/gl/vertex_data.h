@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/frame/solids.h"
 #include "core/mesh/mesh.h"
-#include "core/picture/solids.h"
 #include "gl/objects.h"
 
 #include <cstddef>

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "core/frame/carried_arrows.h"
+#include "core/frame/frame.h"
 #include "core/lessons/lesson.h"
 #include "core/math/highlight.h"
-#include "core/picture/carried_arrows.h"
-#include "core/picture/frame.h"
 #include "core/scene/scene.h"
 #include "ui/kit/requests.h"
 #include "ui/lecture/lecture.h"

@@ -3,8 +3,8 @@
 #include "core/base/decimal.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/frame/display_scale.h"
 #include "core/lessons/open.h"
-#include "core/picture/display_scale.h"
 #include "core/scene/setting.h"
 
 #include <cmath>

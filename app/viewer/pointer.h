@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/picture/axis_handles.h"
-#include "core/picture/frame.h"
-#include "core/picture/knobs.h"
+#include "core/frame/axis_handles.h"
+#include "core/frame/frame.h"
+#include "core/frame/knobs.h"
 #include "core/scene/scene.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/frame/display_scale.h"
 #include "core/lessons/unsaved_work.h"
-#include "core/picture/display_scale.h"
 
 #include <cstddef>
 #include <map>

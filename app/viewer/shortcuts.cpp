@@ -1,4 +1,4 @@
-#include "core/picture/drawn_arrows.h"
+#include "core/frame/drawn_arrows.h"
 #include "core/picture/picking.h"
 #include "viewer/lecture_keys.h"
 #include "viewer/scene_keys.h"

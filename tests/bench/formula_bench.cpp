@@ -3,8 +3,8 @@
 // the driver compiles a program. Prints one line of JSON.
 
 #include "bench_gui.h"
+#include "core/frame/frame.h"
 #include "core/lessons/open.h"
-#include "core/picture/frame.h"
 #include "core/picture/make_frame.h"
 #include "core/surface/surface.h"
 #include "gl/renderer.h"

@@ -2,8 +2,8 @@
 // window draws it. Prints one line of JSON: frames a second, from the median, by samples a pixel.
 
 #include "bench_gui.h"
+#include "core/frame/frame.h"
 #include "core/lessons/open.h"
-#include "core/picture/frame.h"
 #include "core/picture/make_frame.h"
 #include "core/scene/scene_json.h"
 #include "core/surface/surface.h"

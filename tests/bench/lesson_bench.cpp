@@ -3,10 +3,10 @@
 // for the lesson that is named.
 
 #include "bench_gui.h"
+#include "core/frame/display_scale.h"
+#include "core/frame/frame.h"
 #include "core/lessons/lesson.h"
 #include "core/lessons/lesson_player.h"
-#include "core/picture/display_scale.h"
-#include "core/picture/frame.h"
 #include "core/picture/make_frame.h"
 #include "core/surface/level_sets.h"
 #include "core/surface/surface.h"

@@ -3,9 +3,9 @@
 #include "core/explain/derivation.h"
 #include "core/explain/explain_format.h"
 #include "core/explain/stack_algebra.h"
+#include "core/frame/frame.h"
 #include "core/math/map_class.h"
 #include "core/math/polar_decomposition.h"
-#include "core/picture/frame.h"
 #include "core/scene/scene.h"
 #include "core/surface/gradient_report.h"
 

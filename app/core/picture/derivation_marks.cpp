@@ -1,7 +1,7 @@
 #include "core/picture/derivation_marks.h"
 
-#include "core/picture/label_room.h"
-#include "core/picture/solids.h"
+#include "core/frame/label_room.h"
+#include "core/frame/solids.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

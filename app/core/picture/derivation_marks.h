@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/picture/frame.h"
-#include "core/picture/frame_options.h"
+#include "core/frame/frame.h"
+#include "core/frame/frame_options.h"
 
 namespace normalscope {
 

@@ -1,6 +1,6 @@
 #include "core/picture/drawn_box.h"
 
-#include "core/picture/picture_scale.h"
+#include "core/frame/picture_scale.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,6 +1,6 @@
 #include "core/picture/exercise_arrow.h"
 
-#include "core/picture/solids.h"
+#include "core/frame/solids.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>

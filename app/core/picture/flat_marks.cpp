@@ -1,7 +1,7 @@
 #include "core/picture/flat_marks.h"
 
-#include "core/picture/axis_handles.h"
-#include "core/picture/drawn_arrows.h"
+#include "core/frame/axis_handles.h"
+#include "core/frame/drawn_arrows.h"
 #include "core/picture/flat_probe_marks.h"
 
 #include <glm/common.hpp>

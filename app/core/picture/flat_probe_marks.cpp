@@ -1,8 +1,8 @@
 #include "core/picture/flat_probe_marks.h"
 
 #include "core/base/decimal.h"
-#include "core/picture/arcs.h"
-#include "core/picture/drawn_arrows.h"
+#include "core/frame/arcs.h"
+#include "core/frame/drawn_arrows.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

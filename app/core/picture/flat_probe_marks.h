@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/frame/frame_options.h"
+#include "core/frame/label_room.h"
 #include "core/picture/flat_sheet.h"
-#include "core/picture/frame_options.h"
-#include "core/picture/label_room.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/picture/flat_plane.h"
-#include "core/picture/frame.h"
+#include "core/frame/flat_plane.h"
+#include "core/frame/frame.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>

@@ -1,7 +1,7 @@
 #include "core/picture/framing.h"
 
-#include "core/picture/axis_handles.h"
-#include "core/picture/picture_scale.h"
+#include "core/frame/axis_handles.h"
+#include "core/frame/picture_scale.h"
 
 #include <glm/geometric.hpp>
 

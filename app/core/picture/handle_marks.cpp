@@ -1,8 +1,8 @@
 #include "core/picture/handle_marks.h"
 
-#include "core/picture/axis_handles.h"
-#include "core/picture/knobs.h"
-#include "core/picture/solids.h"
+#include "core/frame/axis_handles.h"
+#include "core/frame/knobs.h"
+#include "core/frame/solids.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

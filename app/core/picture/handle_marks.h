@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/frame/frame.h"
+#include "core/frame/frame_options.h"
 #include "core/math/transform.h"
-#include "core/picture/frame.h"
-#include "core/picture/frame_options.h"
 
 namespace normalscope {
 

@@ -1,18 +1,18 @@
 #include "core/picture/make_frame.h"
 
+#include "core/frame/drawn_arrows.h"
+#include "core/frame/picture_scale.h"
+#include "core/frame/solids.h"
 #include "core/picture/decomposition_marks.h"
 #include "core/picture/derivation_marks.h"
-#include "core/picture/drawn_arrows.h"
 #include "core/picture/flat_marks.h"
 #include "core/picture/framing.h"
 #include "core/picture/handle_marks.h"
-#include "core/picture/picture_scale.h"
 #include "core/picture/probe_marks.h"
 #include "core/picture/ray_marks.h"
 #include "core/picture/sheet_marks.h"
 #include "core/picture/singular_marks.h"
 #include "core/picture/slice_marks.h"
-#include "core/picture/solids.h"
 #include "core/surface/surface_probe.h"
 
 #include <glm/common.hpp>

@@ -1,10 +1,10 @@
 #include "core/picture/ray_marks.h"
 
 #include "core/base/decimal.h"
-#include "core/picture/arcs.h"
-#include "core/picture/frame_options.h"
-#include "core/picture/label_room.h"
-#include "core/picture/solids.h"
+#include "core/frame/arcs.h"
+#include "core/frame/frame_options.h"
+#include "core/frame/label_room.h"
+#include "core/frame/solids.h"
 
 #include <glm/geometric.hpp>
 

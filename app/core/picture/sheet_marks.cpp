@@ -1,9 +1,9 @@
 #include "core/picture/sheet_marks.h"
 
 #include "core/base/decimal.h"
+#include "core/frame/label_room.h"
+#include "core/frame/solids.h"
 #include "core/math/sheets.h"
-#include "core/picture/label_room.h"
-#include "core/picture/solids.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,8 +1,8 @@
 #include "core/picture/singular_marks.h"
 
-#include "core/picture/frame_options.h"
-#include "core/picture/label_room.h"
-#include "core/picture/solids.h"
+#include "core/frame/frame_options.h"
+#include "core/frame/label_room.h"
+#include "core/frame/solids.h"
 
 #include <glm/geometric.hpp>
 

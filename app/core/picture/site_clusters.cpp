@@ -1,6 +1,6 @@
 #include "core/picture/site_clusters.h"
 
-#include "core/picture/solids.h"
+#include "core/frame/solids.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,8 +1,8 @@
 #include "core/picture/svg.h"
 
 #include "core/base/html.h"
+#include "core/frame/solids.h"
 #include "core/picture/contour.h"
-#include "core/picture/solids.h"
 #include "core/picture/svg_words.h"
 #include "core/surface/surface_probe.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/frame/frame.h"
 #include "core/image/ground.h"
-#include "core/picture/frame.h"
 
 #include <string>
 

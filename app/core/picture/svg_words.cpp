@@ -3,8 +3,8 @@
 #include "core/base/decimal.h"
 #include "core/base/html.h"
 #include "core/base/utf8.h"
+#include "core/frame/solids.h"
 #include "core/picture/contour.h"
-#include "core/picture/solids.h"
 
 #include <algorithm>
 #include <cmath>

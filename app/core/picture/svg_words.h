@@ -2,7 +2,7 @@
 
 // The words of an SVG picture, and how numbers and colours are written in one.
 
-#include "core/picture/frame.h"
+#include "core/frame/frame.h"
 #include "core/scene/palette.h"
 
 #include <string>

@@ -1,6 +1,6 @@
 #include "ui/kit/icons.h"
 
-#include "core/picture/solids.h"
+#include "core/frame/solids.h"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/picture/frame.h"
+#include "core/frame/frame.h"
 #include "core/scene/scene.h"
 #include "ui/kit/requests.h"
 #include "ui/kit/style.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/picture/frame.h"
+#include "core/frame/frame.h"
 #include "core/scene/scene_fields.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/style.h"

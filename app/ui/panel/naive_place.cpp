@@ -1,5 +1,5 @@
 #include "core/base/error.h"
-#include "core/picture/drawn_arrows.h"
+#include "core/frame/drawn_arrows.h"
 #include "core/scene/mistakes.h"
 #include "core/scene/palette.h"
 #include "core/scene/scene_fields.h"

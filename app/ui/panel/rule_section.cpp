@@ -1,6 +1,6 @@
 #include "ui/panel/panel.h"
 
-#include "core/picture/drawn_arrows.h"
+#include "core/frame/drawn_arrows.h"
 #include "core/scene/mistakes.h"
 #include "core/scene/palette.h"
 #include "core/scene/scene_fields.h"

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/frame/carried_arrows.h"
+#include "core/frame/frame.h"
 #include "core/math/highlight.h"
-#include "core/picture/carried_arrows.h"
-#include "core/picture/frame.h"
 #include "core/scene/scene.h"
 #include "ui/tabs/derivation_passages.h"
 

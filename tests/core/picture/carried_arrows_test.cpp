@@ -1,6 +1,6 @@
 // What the picture shows of the derivation, against the derivation's own numbers.
 
-#include "core/picture/carried_arrows.h"
+#include "core/frame/carried_arrows.h"
 
 #include "core/explain/derivation.h"
 #include "core/picture/make_frame.h"

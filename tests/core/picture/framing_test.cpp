@@ -1,7 +1,7 @@
 #include "core/picture/framing.h"
 
+#include "core/frame/label_room.h"
 #include "core/lessons/open.h"
-#include "core/picture/label_room.h"
 #include "core/picture/make_frame.h"
 #include "core/scene/setting.h"
 

@@ -1,5 +1,5 @@
+#include "core/frame/frame.h"
 #include "core/lessons/open.h"
-#include "core/picture/frame.h"
 #include "core/picture/make_frame.h"
 #include "core/picture/picking.h"
 #include "core/surface/surface.h"

@@ -1,5 +1,5 @@
 #include "core/scene/palette.h"
-#include "core/picture/frame.h"
+#include "core/frame/frame.h"
 #include "core/picture/make_frame.h"
 #include "core/surface/surface.h"
 

@@ -1,4 +1,4 @@
-#include "core/picture/flat_plane.h"
+#include "core/frame/flat_plane.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>

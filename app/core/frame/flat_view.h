@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/frame/flat_plane.h"
 #include "core/math/normal_rules.h"
-#include "core/picture/flat_plane.h"
 #include "core/scene/scene.h"
 #include "core/surface/flat_cut.h"
 

@@ -1,4 +1,4 @@
-#include "core/picture/frame.h"
+#include "core/frame/frame.h"
 
 #include "core/scene/palette.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "core/frame/flat_view.h"
 #include "core/math/camera.h"
 #include "core/math/highlight.h"
-#include "core/picture/flat_view.h"
 #include "core/scene/mistakes.h"
 #include "core/scene/palette.h"
 #include "core/scene/scene.h"

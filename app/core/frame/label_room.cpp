@@ -1,4 +1,4 @@
-#include "core/picture/label_room.h"
+#include "core/frame/label_room.h"
 
 #include "core/base/utf8.h"
 

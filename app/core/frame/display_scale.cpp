@@ -1,4 +1,4 @@
-#include "core/picture/display_scale.h"
+#include "core/frame/display_scale.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/picture/flat_view.h"
+#include "core/frame/flat_view.h"
 
 #include "core/scene/mistakes.h"
 

@@ -1,4 +1,4 @@
-#include "core/picture/solids.h"
+#include "core/frame/solids.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>

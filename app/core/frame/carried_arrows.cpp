@@ -1,4 +1,4 @@
-#include "core/picture/carried_arrows.h"
+#include "core/frame/carried_arrows.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

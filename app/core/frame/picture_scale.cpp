@@ -1,4 +1,4 @@
-#include "core/picture/picture_scale.h"
+#include "core/frame/picture_scale.h"
 
 #include <glm/common.hpp>
 

@@ -1,4 +1,4 @@
-#include "core/picture/arcs.h"
+#include "core/frame/arcs.h"
 
 #include "core/math/normal_rules.h"
 

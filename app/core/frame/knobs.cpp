@@ -1,4 +1,4 @@
-#include "core/picture/knobs.h"
+#include "core/frame/knobs.h"
 
 #include "core/surface/ray_steps.h"
 

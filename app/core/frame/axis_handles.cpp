@@ -1,4 +1,4 @@
-#include "core/picture/axis_handles.h"
+#include "core/frame/axis_handles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/picture/drawn_arrows.h"
+#include "core/frame/drawn_arrows.h"
 
 #include "core/scene/mistakes.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/picture/frame.h"
+#include "core/frame/frame.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
