@@ -85,7 +85,7 @@ void scale_one(Exercise& e, Dice& dice) {
     const std::string name(1, "xy"[axis]);
     e.scene.stack = {Scale{factors}};
     e.task = "M multiplies " + name + " by " + f.text + ".";
-    e.hints = {"Does the surface get steeper or flatter here? The normal stands upright on it.",
+    e.hints = {"Does the surface get steeper or flatter here? The normal is perpendicular to it.",
                "The normal’s " + name + " is divided by " + f.text + "."};
     e.why = "Points go by " + name + " · " + f.text + ", so the normal must go by " + name + " · " + f.inverse +
             ": the inverse, or it would not stay perpendicular to the tangents.";
