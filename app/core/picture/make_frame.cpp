@@ -232,8 +232,8 @@ void add_legend(Frame& frame, const Scene& scene, const WorldFromObject& m) {
             {kind, plain ? ArrowLook::Plain : arrow_look(kind), text, arrow_color(kind, scene.theme)});
     }
     if (!m.affine() && probe && frame.probe->truth)
-        frame.legend.push_back({ArrowKind::InverseTranspose, ArrowLook::Plain, "the normal, by (M⁻¹)ᵀ (n, −n·p)",
-                                theme_colors(scene.theme).text});
+        frame.legend.emplace_back(ArrowKind::InverseTranspose, ArrowLook::Plain, "the normal, by (M⁻¹)ᵀ (n, −n·p)",
+                                  theme_colors(scene.theme).text);
 }
 
 constexpr std::string_view kDrawnByTriangles =
