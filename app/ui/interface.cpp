@@ -8,6 +8,7 @@
 #include "ui/kit/picture_labels.h"
 #include "ui/kit/question.h"
 #include "ui/kit/side_panel.h"
+#include "ui/lecture/lesson_letters.h"
 #include "ui/panel/drawer.h"
 #include "ui/panel/panel.h"
 #include "ui/panel/panel_memory.h"
@@ -155,16 +156,7 @@ void Interface::State::want_letters_of_lesson() {
     if (!look.fonts.body || !lecture.player.running() || lettered.lock() == lecture.player.shared_lesson()) return;
     const std::shared_ptr<const Lesson> lesson = lecture.player.shared_lesson();
     lettered = lesson;
-    const auto want = [&](std::string_view words) { letters.want(words, look.fonts.body); };
-    want(lesson->title);
-    for (const LessonStep& step : lesson->steps) {
-        want(step.caption);
-        want(step.look_at);
-        for (const std::string& line : step.equations) want(line);
-        if (!step.question) continue;
-        want(step.question->text);
-        for (const Choice& choice : step.question->choices) want(choice.text), want(choice.because);
-    }
+    want_letters_of(*lesson, letters, look.fonts.body);
 }
 
 int Interface::State::side_width(int framebuffer) const {
