@@ -88,7 +88,7 @@ Camera framed(Camera camera, Point<World> centre, double radius) {
 
 Camera with_room_for(const Camera& camera, Point<World> centre, double radius) {
     constexpr double kLost = 0.3;  // of the picture
-    const double room = Camera::kFramedRadius / camera.magnification();
+    const double room = camera.reach();
     const bool fits = glm::distance(camera.target.xyz, centre.xyz) + radius <= room && radius >= kLost * room;
     return fits ? camera : framed(camera, centre, radius);
 }
