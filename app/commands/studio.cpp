@@ -15,6 +15,7 @@
 #include "gl/version.h"
 #include "platform/driver_variables.h"
 #include "platform/offscreen_context.h"
+#include "platform/system_fonts.h"
 #include "ui/offscreen_gui.h"
 
 #include <config.h>
@@ -58,11 +59,16 @@ struct Studio::Equipment {
     /// Anew, as it is when nothing has happened yet; gives the room that it leaves to the picture.
     PixelRect open_interface(const Scene& scene, const CaptureOptions& options, float scale) {
         gui.reset();
-        gui.emplace();
+        new_gui();
         if (options.lesson) gui->interface.record_lesson(options.lesson, scene, options.step);
         gui->interface.prepare(scene.theme, scale);
         if (!options.lesson && !gui->interface.show_tab(options.tab)) throw UsageError(unknown_tab(options.tab));
         return gui->interface.picture(options.size);
+    }
+
+    void new_gui() {
+        gui.emplace();
+        gui->interface.find_fonts_by(system_fonts);
     }
 
     void lay_out_interface(const Scene& scene, const Frame& frame, glm::ivec2 size, float scale) {
@@ -79,7 +85,7 @@ struct Studio::Equipment {
     }
 
     void lay_out_words(const Scene& scene, const Frame& frame, glm::ivec2 size, float scale) {
-        if (!gui) gui.emplace();
+        if (!gui) new_gui();
         gui->layout(size, scene.theme, scale, [&] { gui->interface.draw_words(frame); });
     }
 

@@ -7,6 +7,7 @@
 #include "desktop/settings.h"
 #include "gl/renderer.h"
 #include "gl/target.h"
+#include "platform/system_fonts.h"
 #include "viewer/viewer.h"
 
 #define GLFW_INCLUDE_NONE  // GL's declarations come from glad
@@ -75,6 +76,8 @@ public:
         gui_.draw();
         return target_->read();
     }
+
+    std::vector<FontFile> fonts_for(std::span<const char32_t> letters) override { return system_fonts(letters); }
 
     std::string clipboard() override {
         const char* text = glfwGetClipboardString(window_.handle());

@@ -198,6 +198,8 @@ bool Interface::prepare(Theme theme, float scale) {
     return true;
 }
 
+void Interface::find_fonts_by(FindFonts find) { state_->letters.find_by(std::move(find)); }
+
 PixelRect Interface::picture(glm::ivec2 framebuffer) const {
     const bool with_panel = state_->shows_panel(framebuffer);
     if (state_->has_drawer(framebuffer))

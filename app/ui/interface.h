@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/font_file.h"
 #include "core/frame/carried_arrows.h"
 #include "core/frame/frame.h"
 #include "core/lessons/lesson.h"
@@ -29,6 +30,9 @@ public:
     /// Before ImGui::NewFrame: fonts and style for a theme and a scale (physical pixels per logical one). The font atlas
     /// is made anew where the scale changed or letters are missing; true says so, and that the backend must upload it again.
     bool prepare(Theme theme, float scale);
+
+    /// Fonts for letters that the program's own lack.
+    void find_fonts_by(FindFonts find);
 
     /// Where the picture goes in a framebuffer of this size: what the panels, and the strip of words below, leave.
     PixelRect picture(glm::ivec2 framebuffer) const;

@@ -1,12 +1,15 @@
 #pragma once
 
+#include "core/base/font_file.h"
 #include "core/frame/frame.h"
 #include "core/image/image.h"
 
 #include <glm/vec2.hpp>
 
 #include <filesystem>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace normalscope {
 
@@ -38,6 +41,9 @@ public:
     virtual void show() = 0;
     /// The pixels of the whole framebuffer, which is not shown, as it would be drawn.
     virtual Image image_of(const Frame& frame) = 0;
+
+    /// Fonts that have these letters, which the program's own lack.
+    virtual std::vector<FontFile> fonts_for(std::span<const char32_t> /*letters*/) { return {}; }
 
     virtual std::string clipboard() = 0;
     virtual void set_clipboard(const std::string& text) = 0;

@@ -62,6 +62,20 @@ class LessonsTest(CommandTest):
         self.assert_fails(2, "handout", LESSONS[0].stem, says=("--output",))
         self.assertFalse(out.exists())
 
+    def test_any_script(self):
+        """Letters that the program's own fonts lack come from the machine's, where there are any."""
+        def picture(caption, **env):
+            lesson = self.file("a.json", json.dumps({"lesson": "a", "steps": [{"caption": caption}]}))
+            self.assert_done("capture", f"{lesson}#1", "-o", self.folder / "a.png", "--captions", *SMALL, env=env)
+            return (self.folder / "a.png").read_bytes()
+
+        none = self.file("fonts.conf", "<?xml version='1.0'?><fontconfig></fontconfig>")
+        for letter in "法नไ":
+            self.assertEqual(picture(letter, FONTCONFIG_FILE=str(none)), picture("?"), letter)
+            if not shutil.which("fc-list") or not subprocess.check_output(["fc-list", f":charset={ord(letter):x}:outline=True"]):
+                continue
+            self.assertNotEqual(picture(letter), picture("?"), letter)
+
     def test_steps_that_are_none(self):
         out = ("-o", self.folder / "out.png")
         mine = self.file("mine.json", json.dumps({"lesson": "Mine", "steps": [{"caption": "a"}, {"caption": "b"}]}))

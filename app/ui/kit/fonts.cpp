@@ -1,11 +1,14 @@
 #include "ui/kit/fonts.h"
 
+#include "ui/kit/font_tables.h"
 #include "ui/kit/previews.h"
 
 #include <embedded.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace normalscope {
@@ -52,21 +55,28 @@ public:
 
     ImFont* add(const Face& face, float em, const ImWchar* letters) { return load(face, em, letters, nullptr); }
     void merge(const Face& face, float em, const ImWchar* letters, ImFont* into) { load(face, em, letters, into); }
+    void merge(const FontFile& font, float em, const ImWchar* letters) {
+        if (const auto height = height_in_ems(font)) load(font.bytes, font.face, em * *height, letters, true);
+    }
 
 private:
     ImFont* load(const Face& face, float em, const ImWchar* letters, const ImFont* into) {
         const auto data = embedded::file(face.file);
         if (!data) return into ? nullptr : atlas_.AddFontDefault();
+        return load(*data, 0, em * face.height, letters, into != nullptr);
+    }
+    ImFont* load(std::string_view data, int face, float height, const ImWchar* letters, bool into_last) {
         ImFontConfig config;
+        config.FontNo = face;
         config.FontDataOwnedByAtlas = false;
-        config.MergeMode = into != nullptr;
+        config.MergeMode = into_last;
         // Glyphs on whole pixels need no oversampling: sharp, a quarter of the texture, and baked in half the time.
         config.OversampleH = 1;
         config.PixelSnapH = true;
         config.GlyphRanges = letters;
         // The atlas only reads what it does not own, but takes no pointer to const.
-        return atlas_.AddFontFromMemoryTTF(const_cast<char*>(data->data()), static_cast<int>(data->size()),
-                                           std::round(em * face.height * scale_), &config);
+        return atlas_.AddFontFromMemoryTTF(const_cast<char*>(data.data()), static_cast<int>(data.size()),
+                                           std::round(height * scale_), &config);
     }
 
     float scale_;
@@ -99,6 +109,17 @@ void ExtraLetters::want(std::string_view utf8, const ImFont* font) {
     }
 }
 
+bool ExtraLetters::find_more(const ImFont* font) {
+    if (!find_) return false;
+    std::vector<char32_t> missing;
+    for (const ImWchar letter : letters_)
+        if (!font->FindGlyphNoFallback(letter) && asked_.insert(letter).second) missing.push_back(letter);
+    if (missing.empty()) return false;
+    std::vector<FontFile> fonts = find_(missing);
+    std::ranges::move(fonts, std::back_inserter(found_));
+    return !fonts.empty();
+}
+
 Fonts build_fonts(float scale, ExtraLetters& extra, Previews* previews, bool captions) {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
@@ -117,6 +138,7 @@ Fonts build_fonts(float scale, ExtraLetters& extra, Previews* previews, bool cap
         if (letters.size() > 1) {
             baker.merge(kRegular, em, letters.data(), font);
             baker.merge(kSymbols, em * kSymbolsSize, letters.data(), font);
+            for (const FontFile& found : extra.found()) baker.merge(found, em, letters.data());
         }
         return font;
     };
@@ -138,7 +160,7 @@ Fonts build_fonts(float scale, ExtraLetters& extra, Previews* previews, bool cap
     atlas.Build();
     if (previews) previews->place(atlas);
     extra.built();
-    return fonts;
+    return extra.find_more(fonts.body) ? build_fonts(scale, extra, previews, captions) : fonts;
 }
 
 }  // namespace normalscope

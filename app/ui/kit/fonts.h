@@ -1,9 +1,13 @@
 #pragma once
 
+#include "core/base/font_file.h"
+
 #include <imgui.h>
 
 #include <set>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace normalscope {
 
@@ -35,9 +39,17 @@ public:
     const std::set<ImWchar>& all() const { return letters_; }
     void built() { pending_ = false; }
 
+    /// Who has fonts for letters that the program's own lack. Without, these are shown as question marks.
+    void find_by(FindFonts find) { find_ = std::move(find); }
+    /// Asks for the letters that `font` lacks even now, each once. Whether there is another font for them.
+    bool find_more(const ImFont* font);
+    const std::vector<FontFile>& found() const { return found_; }
+
 private:
-    std::set<ImWchar> letters_;
+    std::set<ImWchar> letters_, asked_;
     bool pending_ = false;
+    FindFonts find_;
+    std::vector<FontFile> found_;
 };
 
 /// Makes the current context's font atlas anew and bakes it, with room for the previews that are wanted. `captions`: with

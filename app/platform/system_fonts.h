@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/base/font_file.h"
+
+#include <span>
+#include <vector>
+
+namespace normalscope {
+
+/// Fonts of this machine that have these letters, by fontconfig; none where that is not installed.
+std::vector<FontFile> system_fonts(std::span<const char32_t> letters);
+
+}  // namespace normalscope

@@ -1,0 +1,66 @@
+#include "ui/kit/fonts.h"
+#include "ui/kit/font_tables.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace normalscope {
+namespace {
+
+std::string big_endian(std::size_t value, int bytes) {
+    std::string text;
+    for (int i = bytes - 1; i >= 0; --i) text += static_cast<char>(value >> (8 * i) & 0xff);
+    return text;
+}
+
+/// Tables of zeros, but for an em of 1000 units, an ascent of 900 and a descent of -300.
+FontFile font_with(const std::vector<std::string>& tags) {
+    constexpr std::size_t kLength = 64;
+    std::string table(kLength, '\0');
+    table.replace(18, 2, big_endian(1000, 2));
+    table.replace(4, 4, big_endian(900, 2) + big_endian(0x10000 - 300, 2));
+    std::string directory = big_endian(0x10000, 4) + big_endian(tags.size(), 2) + std::string(6, '\0'), tables;
+    for (const std::string& tag : tags) {
+        directory +=
+            tag + std::string(4, '\0') + big_endian(12 + 16 * tags.size() + tables.size(), 4) + big_endian(kLength, 4);
+        tables += table;
+    }
+    return {directory + tables, 0};
+}
+
+TEST(SystemFonts, AreMeasuredByTheEm) {
+    const FontFile font = font_with({"cmap", "head", "hhea", "hmtx", "maxp", "loca", "glyf"});
+    EXPECT_FLOAT_EQ(height_in_ems(font).value(), 1.2f);
+    for (std::size_t size = 0; size < font.bytes.size(); ++size)
+        EXPECT_FALSE(height_in_ems({font.bytes.substr(0, size), 0})) << size;
+}
+
+TEST(SystemFonts, AreLeftOutWhereTheyCannotBeRead) {
+    for (const std::string outlines : {"CBDT", "CFF2", "SVG "})
+        EXPECT_FALSE(height_in_ems(font_with({"cmap", "head", "hhea", "hmtx", "maxp", outlines}))) << outlines;
+    EXPECT_FALSE(height_in_ems({"ttcf", 7}));
+
+    ImGui::CreateContext();
+    ExtraLetters letters;
+    std::vector<std::u32string> asked;
+    letters.find_by([&](std::span<const char32_t> wanted) {
+        asked.emplace_back(wanted.begin(), wanted.end());
+        return std::vector<FontFile>{{"no font", 0}};
+    });
+    Fonts fonts = build_fonts(1, letters);
+    letters.want("法線 ж", fonts.body);
+    EXPECT_TRUE(letters.pending());
+    fonts = build_fonts(1, letters);
+    EXPECT_TRUE(fonts.body->FindGlyphNoFallback(U'ж'));  // the program's own
+    EXPECT_FALSE(fonts.body->FindGlyphNoFallback(U'法'));
+    fonts = build_fonts(2, letters);
+    EXPECT_EQ(asked, (std::vector<std::u32string>{U"法線"}));  // once, whatever came of it
+    ImGui::DestroyContext();
+}
+
+}  // namespace
+}  // namespace normalscope
