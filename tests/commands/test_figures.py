@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Figures for slides and papers: SVG, and pictures without a ground."""
 
+import math
+import re
 import unittest
 import xml.etree.ElementTree as ElementTree
 
@@ -31,6 +33,46 @@ class FiguresTest(CommandTest):
             root = ElementTree.fromstring(self.svg(scene, "--ground", "transparent"))
             self.assertGreater(len(list(root.iter(f"{SVG}path"))), 3, scene)
             self.assertFalse([rect for rect in root.findall(f"{SVG}rect") if rect.get("width") == "100%"])
+
+    def points(self, root, **attributes):
+        """The corners of all paths with these attributes."""
+        paths = [path for path in root.iter(f"{SVG}path") if all(path.get(key) == value for key, value in attributes.items())]
+        data = " ".join(path.get("d") for path in paths)
+        return [(float(x), float(y)) for x, y in re.findall(r"(-?[\d.]+)[ ,]?(-?[\d.]+)", data)]
+
+    def test_rims(self):
+        """A rim is drawn all around, also where one sees it from within."""
+        for scene, rim in (("hyperboloid-one-sheet", 0.2), ("cone", 0.18), ("cylinder", 0.17), ("paraboloid", 0.6)):
+            root = ElementTree.fromstring(self.svg(f"implicit-{scene}", "--size", "900x700"))
+            dark = self.points(root, stroke="#22262b")
+            top, bottom = min(y for _, y in dark), max(y for _, y in dark)
+            points = [(x, y) for x, y in dark if y < top + rim * (bottom - top)]
+            x0 = 0.5 * (min(x for x, _ in points) + max(x for x, _ in points))
+            y0 = 0.5 * (top + max(y for x, y in points if abs(x - x0) < 100))
+            angles = {math.floor(12 * math.atan2(y - y0, x - x0) / math.pi) for x, y in points}
+            self.assertEqual(len(angles), 24, scene)
+
+    def test_what_stands_behind(self):
+        """As much of each axis is drawn as nothing stands before: never all or nothing."""
+        root = ElementTree.fromstring(self.svg("implicit-clebsch-cubic", "--size", "900x700"))
+        for colour, low, high in (("#d03a3a", 60, 140), ("#3a62d0", 80, 170)):
+            along = [x for x, _ in self.points(root, fill=colour)]
+            self.assertTrue(low < max(along) - min(along) < high, (colour, min(along), max(along)))
+
+    def test_kinks(self):
+        """A cube by formula is nine edges, and nothing else."""
+        root = ElementTree.fromstring(self.svg(
+            "identity", "--size", "900x700", "--set", 'surface={"formula": "max(max(abs(x),abs(y)),abs(z))-0.8"}',
+            "--set", "show.probe=false"))
+        lines = [path.get("d") for path in root.iter(f"{SVG}path") if path.get("stroke") == "#22262b"]
+        length = 0
+        for line in re.findall(r"M([^M]*)", " ".join(lines)):
+            ends = [tuple(map(float, point)) for point in re.findall(r"(-?[\d.]+)[ ,]?(-?[\d.]+)", line)]
+            length += sum(math.dist(a, b) for a, b in zip(ends, ends[1:]))
+        fill = self.points(root, fill="#d9d8d4")
+        around = [max(fill, key=lambda p: p[0] * math.cos(t) + p[1] * math.sin(t)) for t in (k * math.pi / 180 for k in range(361))]
+        outline = sum(math.dist(a, b) for a, b in zip(around, around[1:]))
+        self.assertTrue(1.3 * outline < length < 1.6 * outline, (length, outline))
 
     def test_pixels_only(self):
         for option in (["--panel"], ["--captions"], ["--tab", "ray"], ["--expect", self.folder / "a.png"]):

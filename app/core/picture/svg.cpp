@@ -3,15 +3,17 @@
 #include "core/base/html.h"
 #include "core/frame/solids.h"
 #include "core/picture/contour.h"
+#include "core/picture/mesh_lines.h"
 #include "core/picture/svg_words.h"
+#include "core/surface/kinks.h"
 #include "core/surface/surface_probe.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
 
 namespace normalscope {
 
@@ -20,8 +22,10 @@ namespace {
 /// One pane, written from back to front.
 class PaneWriter {
 public:
-    PaneWriter(const Scene& scene, const Frame& frame, const Pane& pane, double pixel_scale)
+    /// `mesh`: the frame's surface, with its kinks as edges.
+    PaneWriter(const Scene& scene, const Frame& frame, const Mesh& mesh, const Pane& pane, double pixel_scale)
         : frame_(frame),
+          mesh_(mesh),
           pane_(pane),
           colors_(theme_colors(frame.theme)),
           m_(world_from_object(scene)),
@@ -58,40 +62,29 @@ private:
         return a.x * b.y - a.y * b.x;
     }
 
-    // The mesh in the picture, and which of its triangles turn as those at the front do.
-    struct Projected {
-        std::vector<glm::dvec3> world;
-        std::vector<glm::dvec2> pixels;
-        std::vector<bool> drawn;
-        std::vector<bool> front;
-
-        bool draws(const glm::uvec3& t) const { return drawn[t.x] && drawn[t.y] && drawn[t.z]; }
-    };
-    Projected projected(const glm::mat4& world_from_object) const {
-        const Mesh& mesh = frame_.surface->mesh;
+    SeenMesh seen(const glm::mat4& world_from_object) const {
         const glm::dmat4 m(world_from_object);
-        Projected p;
-        for (const glm::dvec3& position : mesh.positions) {
+        SeenMesh seen{mesh_, m_, pane_.view, {}, {}, {}};
+        for (const glm::dvec3& position : mesh_.positions) {
             const glm::dvec4 world = m * glm::dvec4(position, 1.0);
-            p.drawn.push_back(world.w > 0.0);  // what has no image is not
-            p.world.push_back(glm::dvec3(world) / world.w);
-            p.pixels.push_back(at(p.world.back()));
+            seen.drawn.push_back(world.w > 0.0);  // what has no image is not
+            seen.world.push_back(glm::dvec3(world) / world.w);
         }
         const double sense = glm::determinant(m) < 0.0 ? 1.0 : -1.0;  // y goes down in pictures
-        for (const glm::uvec3& t : mesh.triangles)
-            p.front.push_back(sense * turn({p.pixels[t.x], p.pixels[t.y], p.pixels[t.z]}) > 0.0);
-        return p;
+        for (const glm::uvec3& t : mesh_.triangles) seen.front.push_back(sense * turn(flat(seen, t)) > 0.0);
+        return seen;
     }
-    std::vector<Loop> outline(const Projected& p) const {
-        const Mesh& mesh = frame_.surface->mesh;
+    PlaneTriangle flat(const SeenMesh& seen, const glm::uvec3& t) const {
+        return {at(seen.world[t.x]), at(seen.world[t.y]), at(seen.world[t.z])};
+    }
+    std::vector<Loop> outline(const SeenMesh& seen) const {
         std::vector<Loop> loops;
         for (const bool front : {true, false}) {
-            if (!front && mesh.closed) break;  // the back lies behind the front
+            if (!front && mesh_.closed) break;  // the back lies behind the front
             std::vector<PlaneTriangle> triangles;
-            for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-                const glm::uvec3& t = mesh.triangles[i];
-                if (p.front[i] == front && p.draws(t))
-                    triangles.push_back({p.pixels[t.x], p.pixels[t.y], p.pixels[t.z]});
+            for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
+                const glm::uvec3& t = mesh_.triangles[i];
+                if (seen.front[i] == front && seen.draws(t)) triangles.push_back(flat(seen, t));
             }
             for (Loop& loop : contours(triangles)) {
                 // The other way round: where front and back lie over each other, neither shall cut a hole into the other.
@@ -111,58 +104,35 @@ private:
     }
 
     void surface(const SurfaceDraw& draw) {
-        const Projected p = projected(draw.world_from_object);
-        path(path_data(outline(p)), "fill=\"" + svg_color(glm::vec3(draw.color)) + "\" fill-rule=\"nonzero\"");
-        path(lines_of(p), stroke(colors_.text, 1.2));
+        const SeenMesh mesh = seen(draw.world_from_object);
+        path(path_data(outline(mesh)), "fill=\"" + svg_color(glm::vec3(draw.color)) + "\" fill-rule=\"nonzero\"");
+        path(lines_of(mesh), stroke(colors_.text, 1.2));
     }
     void ghost(const SurfaceDraw& draw) {
-        path(path_data(outline(projected(draw.world_from_object))),
-             stroke(colors_.ghost, 1.2) + " stroke-dasharray=\"" + svg_number(5 * scale_) + " " +
-                 svg_number(4 * scale_) + "\"");
+        path(path_data(outline(seen(draw.world_from_object))), stroke(colors_.ghost, 1.2) + " stroke-dasharray=\"" +
+                                                                   svg_number(5 * scale_) + " " +
+                                                                   svg_number(4 * scale_) + "\"");
     }
 
     // Outline and sharp edges, as far as nothing stands before them.
-    std::string lines_of(const Projected& p) const {
-        struct Edge {
-            glm::dvec3 normal{0.0};  ///< of the first triangle
-            int fronts = 0, count = 0;
-            bool sharp = false;
-            std::size_t a = 0, b = 0;
+    std::string lines_of(const SeenMesh& seen) const {
+        const ImplicitSurface* const formula = frame_.surface->implicit.get();
+        const double size = glm::length(frame_.surface->extent);
+        const double lift =
+            (formula ? 0.003 : 0.01) * glm::length(glm::dvec3(m_.matrix() * glm::dvec4(frame_.surface->extent, 0.0)));
+        const auto object_from_world = formula ? m_.inverse() : std::nullopt;
+        // Of the formula's surface itself, which its mesh is only near to.
+        const auto on_surface = [&](const glm::dvec3& p) {
+            if (!object_from_world) return p;
+            const auto on = formula->onto_surface((*object_from_world)(Point<World>{p}), 0.05 * size);
+            return on ? m_(*on).xyz : p;
         };
-        const Mesh& mesh = frame_.surface->mesh;
-        using Key = std::array<std::int64_t, 3>;
-        const auto key = [](const glm::dvec3& v) {
-            return Key{std::llround(v.x * 1e6), std::llround(v.y * 1e6), std::llround(v.z * 1e6)};
-        };
-        std::map<std::pair<Key, Key>, Edge> edges;  // by place: a cube's faces have vertices of their own
-        for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-            const glm::uvec3& t = mesh.triangles[i];
-            if (!p.draws(t)) continue;
-            const glm::dvec3 n = glm::cross(p.world[t.y] - p.world[t.x], p.world[t.z] - p.world[t.x]);
-            if (!(glm::length(n) > 0.0)) continue;
-            for (int k = 0; k < 3; ++k) {
-                const std::size_t a = t[k], b = t[(k + 1) % 3];
-                auto ends = std::pair(key(mesh.positions[a]), key(mesh.positions[b]));
-                if (ends.second < ends.first) std::swap(ends.first, ends.second);
-                if (ends.first == ends.second) continue;
-                Edge& edge = edges[ends];
-                if (edge.count++ == 0)
-                    edge.normal = glm::normalize(n), edge.a = a, edge.b = b;
-                else
-                    edge.sharp |= glm::dot(edge.normal, glm::normalize(n)) < 0.82;  // more than 35°
-                edge.fronts += p.front[i] ? 1 : 0;
-            }
-        }
         std::string data;
-        const double lift = 0.01 * glm::length(glm::dvec3(m_.matrix() * glm::dvec4(frame_.surface->extent, 0.0)));
-        for (const auto& [ends, edge] : edges) {
-            const bool contour = edge.count == 1 || (edge.fronts > 0 && edge.fronts < edge.count);
-            if (!contour && !(edge.sharp && edge.fronts > 0)) continue;
-            const glm::dvec3 middle = 0.5 * (p.world[edge.a] + p.world[edge.b]);
-            const auto outward = m_(Point<Object>{mesh.positions[edge.a]}, Normal<Object>{mesh.normals[edge.a]});
-            const glm::dvec3 off =
-                outward && glm::length(outward->xyz) > 0.0 ? lift * glm::normalize(outward->xyz) : glm::dvec3(0.0);
-            if (!hidden(middle + off)) data += open_path_data({p.pixels[edge.a], p.pixels[edge.b]});
+        for (const MeshLine& line : mesh_lines(seen, formula ? Outline::ByNormals : Outline::ByFaces)) {
+            const glm::dvec3 middle = on_surface(0.5 * (line.ends[0] + line.ends[1])), off = lift * line.outward;
+            // An open surface is seen from both sides.
+            if (!hidden(middle + off) || (!seen.mesh.closed && !hidden(middle - off)))
+                data += open_path_data({at(line.ends[0]), at(line.ends[1])});
         }
         return data;
     }
@@ -222,25 +192,39 @@ private:
 
     // ---- what is made of triangles -----------------------------------------------------------------------------
 
+    using WorldTriangle = std::array<glm::dvec3, 3>;
+
+    // As much of it as nothing stands before: where that is not clear from its corners, halves of it, down to a few pixels.
+    void add_seen(const WorldTriangle& t, std::vector<PlaneTriangle>& triangles) const {
+        if (!std::ranges::all_of(t, [&](const glm::dvec3& p) { return before_eye(p); })) return;
+        PlaneTriangle flat{at(t[0]), at(t[1]), at(t[2])};
+        std::size_t longest = 0;
+        const auto length = [&](std::size_t i) { return glm::distance(flat[i], flat[(i + 1) % 3]); };
+        for (const std::size_t i : {1, 2})
+            if (length(i) > length(longest)) longest = i;
+        const auto hides = std::ranges::count_if(t, [&](const glm::dvec3& p) { return hidden(p); });
+        const double most = (hides == 0 || hides == 3 ? 40.0 : 2.0) * scale_;
+        if (length(longest) > most) {
+            const glm::dvec3 a = t[longest], b = t[(longest + 1) % 3], c = t[(longest + 2) % 3], half = 0.5 * (a + b);
+            add_seen({a, half, c}, triangles);
+            add_seen({half, b, c}, triangles);
+            return;
+        }
+        const double area = turn(flat);
+        if (hides > 1 || std::abs(area) < 1e-3) return;
+        if (area < 0.0) std::swap(flat[1], flat[2]);  // all to turn one way
+        triangles.push_back(flat);
+    }
+
     void solids(const std::vector<SolidVertex>& vertices) {
         for (std::size_t i = 0; i + 2 < vertices.size();) {
             const glm::vec4 color = vertices[i].color;
             std::vector<PlaneTriangle> triangles;
             for (; i + 2 < vertices.size() && vertices[i].color == color; i += 3) {
-                const glm::dvec3 a(vertices[i].position), b(vertices[i + 1].position), c(vertices[i + 2].position);
-                if (!before_eye(a) || !before_eye(b) || !before_eye(c) || hidden((a + b + c) / 3.0)) continue;
-                PlaneTriangle t{at(a), at(b), at(c)};
-                const double area = turn(t);
-                if (std::abs(area) < 1e-3) continue;
-                // All to turn one way. Of what is closed, the back would only double the front.
-                if (area < 0.0) {
-                    if (glm::length(vertices[i].normal) > 0.0f) {
-                        const glm::dvec3 n(vertices[i].normal + vertices[i + 1].normal + vertices[i + 2].normal);
-                        if (glm::dot(n, pane_.view.eye().xyz - a) < 0.0) continue;
-                    }
-                    std::swap(t[1], t[2]);
-                }
-                triangles.push_back(t);
+                const WorldTriangle t{vertices[i].position, vertices[i + 1].position, vertices[i + 2].position};
+                // Of what is closed, the back would only double the front.
+                const glm::dvec3 n(vertices[i].normal + vertices[i + 1].normal + vertices[i + 2].normal);
+                if (glm::dot(n, pane_.view.eye().xyz - t[0]) >= 0.0) add_seen(t, triangles);
             }
             std::string fill = "fill=\"" + svg_color(glm::vec3(color)) + "\"";
             if (color.a < 1.0f) fill += " fill-opacity=\"" + svg_number(color.a) + "\"";
@@ -249,6 +233,7 @@ private:
     }
 
     const Frame& frame_;
+    const Mesh& mesh_;
     const Pane& pane_;
     ThemeColors colors_;
     Transform<World, Object> m_;
@@ -268,13 +253,15 @@ std::string svg_text(const Scene& scene, const Frame& frame, double pixel_scale,
         const glm::vec3 color = ground == Ground::White ? glm::vec3(1.0f) : theme_colors(frame.theme).background_top;
         out += "<rect width=\"100%\" height=\"100%\" fill=\"" + svg_color(color) + "\"/>\n";
     }
+    const Surface& surface = *frame.surface;
+    const Mesh mesh = surface.implicit ? cut_at_kinks(surface.mesh, *surface.implicit) : surface.mesh;
     for (std::size_t i = 0; i < frame.panes.size(); ++i) {
         const Pane& pane = frame.panes[i];
         const std::string name = "pane" + std::to_string(i + 1);
         out += "<clipPath id=\"" + name + "\"><rect x=\"" + std::to_string(pane.rect.origin.x) + "\" y=\"" +
                std::to_string(pane.rect.origin.y) + "\" width=\"" + std::to_string(pane.rect.size.x) + "\" height=\"" +
                std::to_string(pane.rect.size.y) + "\"/></clipPath>\n<g clip-path=\"url(#" + name + ")\">\n" +
-               PaneWriter(scene, frame, pane, pixel_scale).text() + "</g>\n";
+               PaneWriter(scene, frame, mesh, pane, pixel_scale).text() + "</g>\n";
     }
     return out + svg_legend(frame, pixel_scale) + "</svg>\n";
 }
