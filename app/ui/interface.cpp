@@ -12,6 +12,7 @@
 #include "ui/panel/drawer.h"
 #include "ui/panel/panel.h"
 #include "ui/panel/panel_memory.h"
+#include "ui/probe_trail.h"
 #include "ui/tabs/derivation_panel.h"
 #include "ui/tabs/error_tab.h"
 #include "ui/tabs/maps_tab.h"
@@ -35,6 +36,7 @@ struct Interface::State {
     Messages messages;
     SideMemory side;
     StackTab stack;
+    ProbeTrail trail;
     MapsTab maps;
     ErrorTab error;
     mutable Lecture lecture;  // which remembers what it has measured
@@ -226,6 +228,11 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
         s.look.tips = true;
     std::vector<StackEntry> before = scene.stack;
     draw_words(frame);
+    if (status.by_hand && !s.lecture.moving() && !s.lecture.exercises.running())
+        s.trail.follow(scene, frame);
+    else
+        s.trail = {};
+    s.trail.draw(s.look, frame);
     const std::vector<SideTab> tabs = s.tabs();
     if (const auto tab = s.lecture.wanted_tab()) show_tab(*tab);
     const auto strip_top = static_cast<float>(frame.rect.origin.y + frame.rect.size.y);

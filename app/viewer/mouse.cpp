@@ -9,7 +9,8 @@ void Viewer::pointer_to(glm::dvec2 pixel) {
     if (frame_) exercise.drag(*frame_, document_.scene, scale(), pixel);
     if (!frame_ || exercise.dragging()) return;
     pointer_at_ = pixel;
-    pointer_.move(document_.scene, *frame_, pixel, scale());
+    pointer_.move(document_.scene, *frame_, pixel, scale(),
+                  ImGui::GetIO().KeyAlt ? Pointer::Hand::Free : Pointer::Hand::Caught);
     const bool free = !pointer_.busy() && !gui_.wants_mouse() && gui_.interface.derivation_shown();
     gui_.interface.highlight(free ? highlight_at(*frame_, pixel, 7.0 * scale()) : std::nullopt);
 }

@@ -1,5 +1,6 @@
 #include "viewer/pointer.h"
 
+#include "core/base/caught.h"
 #include "core/picture/picking.h"
 
 #include <algorithm>
@@ -12,6 +13,7 @@ namespace {
 constexpr double kKnobReach = 11.0;  // logical pixels
 constexpr double kArrowReach = 5.0;
 constexpr double kClickSlack = 4.0;  // a hand is not that still
+constexpr double kCatch = 5.0;
 constexpr double kDegreesPerPixel = 0.4;
 
 double wrapped(double degrees) { return std::remainder(degrees, 360.0); }
@@ -59,7 +61,7 @@ void Pointer::press(const Scene& scene, const Frame& frame, PointerButton button
     }
 }
 
-void Pointer::move(Scene& scene, const Frame& frame, glm::dvec2 pixel, float scale) {
+void Pointer::move(Scene& scene, const Frame& frame, glm::dvec2 pixel, float scale, Hand hand) {
     const glm::dvec2 step = (pixel - at_) / static_cast<double>(scale);
     at_ = pixel;
     scrolled_ = false;
@@ -91,7 +93,11 @@ void Pointer::move(Scene& scene, const Frame& frame, glm::dvec2 pixel, float sca
             break;
         case Drag::Handle:
             if (const auto factor = factor_at(*handle_, pane->view, at_ - glm::dvec2(pane->rect.origin)))
-                scene = stretched(scene_at_press_, *handle_, *factor + grab_offset_, uniform_);
+                scene = stretched(scene_at_press_, *handle_,
+                                  hand == Hand::Free ? *factor + grab_offset_
+                                                     : caught(*factor + grab_offset_,
+                                                              kCatch * scale * factor_per_pixel(*handle_, pane->view)),
+                                  uniform_);
             break;
         case Drag::Knob:
             scene = dragged(scene_at_press_, *knob_, pane->view, at_ - glm::dvec2(pane->rect.origin) + knob_offset_);

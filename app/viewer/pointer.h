@@ -19,7 +19,9 @@ struct PointerButton {
 class Pointer {
 public:
     void press(const Scene& scene, const Frame& frame, PointerButton button, float scale);
-    void move(Scene& scene, const Frame& frame, glm::dvec2 pixel, float scale);
+    /// Knobs catch at numbers that one means (core/base/caught.h), unless the hand is `free`.
+    enum class Hand { Caught, Free };
+    void move(Scene& scene, const Frame& frame, glm::dvec2 pixel, float scale, Hand hand = Hand::Caught);
     void release(Scene& scene, const Frame& frame, float scale);
     void scroll(Scene& scene, double steps);
 

@@ -27,7 +27,7 @@ void Viewer::press(const KeyPress& key) {
     if (to_lecture(key)) return;
     if (!key.repeated) gui_.key(key.key, true, key.modifiers);
     // A key that is held must not switch back and forth.
-    if (!key.repeated || key.control()) shortcut(key);
+    if (!key.repeated || key.control() || key.alt()) shortcut(key);
 }
 
 void Viewer::release(const KeyPress& key) {
@@ -65,12 +65,14 @@ void Viewer::shortcut(const KeyPress& key) {
     }
     commit();
     if (key.control()) return shortcut_with_control(key);
+    if (key.alt()) return move_probe(key.key);
     if (press_view_key(document_.scene, key.key)) return;
     if (!exercising()) {  // what is asked must stay what it is
         if (const auto rule = rule_of(key.key)) return choose(*rule);
         if (press_object_key(document_.scene, key.key)) return;
     }
     switch (key.key) {
+        case ImGuiKey_P: pin_probe(); break;
         case ImGuiKey_M:
             if (presenting()) host_.to_next_monitor();
             break;
@@ -82,6 +84,27 @@ void Viewer::shortcut(const KeyPress& key) {
             break;
         default: break;
     }
+}
+
+void Viewer::move_probe(ImGuiKey key) {
+    constexpr double kStep = 6.0;  // logical pixels
+    glm::dvec2 by(0.0);
+    switch (key) {
+        case ImGuiKey_LeftArrow: by.x = -kStep; break;
+        case ImGuiKey_RightArrow: by.x = kStep; break;
+        case ImGuiKey_UpArrow: by.y = -kStep; break;
+        case ImGuiKey_DownArrow: by.y = kStep; break;
+        default: return;
+    }
+    if (exercising() || !frame_) return;
+    if (const auto point = probe_moved(*frame_, world_from_object(document_.scene), static_cast<double>(scale()) * by))
+        document_.scene.probe = point;
+}
+
+void Viewer::pin_probe() {
+    std::vector<Point<Object>>& pinned = document_.scene.pinned;
+    if (!exercising() && frame_ && frame_->probe && pinned.size() < Scene::kMostPinned)
+        pinned.push_back(frame_->probe->object.point);
 }
 
 void Viewer::shortcut_with_control(const KeyPress& key) {

@@ -149,7 +149,7 @@ Requests Viewer::lay_out() {
     gui_.layout(shown_scene().theme, scale(), [&] {
         requests = gui_.interface.draw(
             document_.scene, *frame_,
-            {document_.can_undo(), document_.can_redo(), errors, document_.file(), document_.has_file()});
+            {document_.can_undo(), document_.can_redo(), errors, document_.file(), document_.has_file(), true});
     });
     laid_out_at_ = host_.now();
     if (was_exercising && !exercising()) document_.set_origin(origin_before_exercises_);

@@ -114,6 +114,8 @@ private:
     bool to_lecture(const KeyPress& key);
     void shortcut(const KeyPress& key);
     void shortcut_with_control(const KeyPress& key);
+    void move_probe(ImGuiKey key);
+    void pin_probe();
     /// By key or button: its arrows swing to where it wants them.
     void choose(Rule rule);
     void present(bool presenting);

@@ -7,7 +7,7 @@ import unittest
 from support import CommandTest, close_to
 
 RULES = ["naive", "inverse-transpose", "cofactor"]
-KEYS = ["program", "renderer", "gl_version", "context", "mistake", "power", "M", "affine", "determinant", "rank", "condition", "normal_matrix", "error_degrees", "worst_dot", "surface", "probe", "flat"]
+KEYS = ["program", "renderer", "gl_version", "context", "mistake", "power", "M", "affine", "determinant", "rank", "condition", "normal_matrix", "error_degrees", "worst_dot", "surface", "probe", "pinned", "flat"]
 PROBE_KEYS = ["point_object", "point_world", "n_object", "n_world", "tangents_object", "tangents_world", "dots", "f", "gradient"]
 
 
@@ -56,6 +56,17 @@ class NumbersTest(CommandTest):
         self.assertGreater(error["worst"], error["bound"] - 0.5)
         self.assertTrue(0 < error["mean"] < error["worst"])
         close_to(self, [abs(x) for x in error["at"]], [math.cos(math.radians(d)) for d in (45, 45, 90)], 1)
+
+    def test_pinned_points(self):
+        points = [[0.6, 0.8, 0], [1, 0, 0], [0, 1, 0]]
+        for surface in ("surface={\"shape\":\"sphere\"}", "surface={\"formula\":\"x^2+y^2+z^2=1\"}"):
+            pinned = self.numbers("slide-scale", "--set", surface, "--set", f"pinned={points}")["pinned"]
+            for row, point in zip(pinned, points, strict=True):
+                close_to(self, row["point_object"], point, 2)
+                close_to(self, row["point_world"], [point[0] / 2, 2 * point[1], point[2]], 2)
+            close_to(self, [row["error_degrees"] for row in pinned][1:], [0, 0], 1)
+            self.assertGreater(pinned[0]["error_degrees"], 55)
+        self.assertEqual(self.numbers()["pinned"], [])
 
     def test_between_the_two_rules(self):
         for power, bound in (1, 61.928), (0, 36.870), (-1, 0):

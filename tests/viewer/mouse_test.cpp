@@ -239,6 +239,48 @@ TEST_F(MouseTest, TheProbeIsDraggedOverTheSurface) {
     expect_undo({before, placed, moved, scene()});
 }
 
+TEST_F(MouseTest, AltAndTheArrowsMoveTheProbe) {
+    start(light("identity"));
+    click(pixel(toward_us_));
+    const glm::dvec3 placed = scene().probe->xyz;
+    for (int i = 0; i < 5; ++i) key(ImGuiMod_Alt | ImGuiKey_UpArrow);
+    EXPECT_GT(scene().probe->xyz.y, placed.y + 0.05);
+    EXPECT_NEAR(glm::length(scene().probe->xyz), 1.0, 0.01);
+    for (int i = 0; i < 5; ++i) key(ImGuiMod_Alt | ImGuiKey_DownArrow);
+    EXPECT_LT(glm::length(scene().probe->xyz - placed), 0.02);
+}
+
+TEST_F(MouseTest, PPinsTheProbesPointAndNoMoreThanFour) {
+    for (const ViewMode view : {ViewMode::Overlay, ViewMode::Split, ViewMode::Flat}) {
+        Scene scene_before = light();
+        scene_before.view = view;
+        start(scene_before);
+        const Scene before = scene();
+        ASSERT_TRUE(viewer().frame()->probe);
+        const Point<Object> at = viewer().frame()->probe->object.point;
+        key(ImGuiKey_P);
+        ASSERT_EQ(scene().pinned, std::vector{at});
+        const Scene one = scene();
+        for (int i = 0; i < 5; ++i) key(ImGuiKey_P);
+        EXPECT_EQ(scene().pinned.size(), Scene::kMostPinned);
+        ASSERT_EQ(viewer().frame()->pinned.size(), Scene::kMostPinned);
+        ASSERT_TRUE(viewer().frame()->pinned[0]);
+        EXPECT_LT(glm::length(viewer().frame()->pinned[0]->object.point.xyz - at.xyz), 1e-9);
+        key(ImGuiMod_Ctrl | ImGuiKey_Z);
+        key(ImGuiMod_Ctrl | ImGuiKey_Z);
+        key(ImGuiMod_Ctrl | ImGuiKey_Z);
+        EXPECT_EQ(scene(), one);
+        key(ImGuiMod_Ctrl | ImGuiKey_Z);
+        EXPECT_EQ(scene(), before);
+    }
+}
+
+TEST_F(MouseTest, AKnobCatchesAtWholeNumbers) {
+    start();
+    drag({knob(2, 1), knob(2, 1.4), knob(2, 1.98)});
+    EXPECT_EQ(scale().factors.z, 2.0);
+}
+
 TEST_F(MouseTest, InAFlatViewTheProbeFollowsTheCurveAndElsewhereADragPans) {
     start(light("flat"));
     while (scene().view != ViewMode::Flat) key(ImGuiKey_V);

@@ -54,6 +54,21 @@ TEST_F(PanelTest, TheSlidersStayWhereTheyAre) {
     }
 }
 
+TEST_F(PanelTest, ASliderCatchesAtOneAndItsLetterSetsItBack) {
+    start();
+    const Scene before = scene();
+    slide("##z", 3);
+    EXPECT_EQ(scene(), before);
+    slide("##z", 20);
+    EXPECT_GT(factors().z, 1.2);
+    slide("##x", 19);  // from 0.5 to nearly 1
+    const glm::dvec2 y = middle(bar("##y"));
+    slide("##y", -25);
+    EXPECT_NE(factors().y, 2.0);
+    click(glm::dvec2(36.0, y.y));
+    EXPECT_EQ(factors().y, 1.0);
+}
+
 TEST_F(PanelTest, NumbersAreTypedAfterAClickWhichAloneChangesNothing) {
     start();
     const Scene before = scene();

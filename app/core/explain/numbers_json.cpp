@@ -97,6 +97,13 @@ Json numbers_json(const Scene& scene, const Frame& frame, const std::optional<Dr
     j["surface"] = {{"triangles", mesh.triangles.size()}, {"vertices", mesh.positions.size()}, {"notes", frame.notes}};
     j["probe"] =
         json_or_null(frame.probe, [&](const ProbeInWorld& p) { return probe_json(p, frame.surface->implicit.get()); });
+    j["pinned"] = Json::array();
+    for (const auto& pinned : frame.pinned)
+        j["pinned"].push_back(json_or_null(pinned, [&](const ProbeInWorld& p) {
+            Json row = probe_json(p, frame.surface->implicit.get());
+            row["error_degrees"] = json_or_null(p.error_degrees, json_number);
+            return row;
+        }));
     j["flat"] = json_or_null(frame.flat, flat_json);
     return j;
 }

@@ -70,6 +70,11 @@ std::optional<double> factor_at(const AxisHandle& handle, const CameraView& view
     return (ud * glm::dot(d, w) - glm::dot(u, w)) / determinant;
 }
 
+double factor_per_pixel(const AxisHandle& handle, const CameraView& view) {
+    const glm::dvec3 from = view.pixel(handle.origin), to = view.pixel(handle.origin + handle.unit);
+    return 1.0 / std::max(glm::distance(glm::dvec2(from), glm::dvec2(to)), 1.0);
+}
+
 Scene stretched(const Scene& scene, const AxisHandle& handle, double factor, bool uniform) {
     Scene result = scene;
     if (first_scale(result.stack) == result.stack.end()) result.stack.insert(result.stack.begin(), Scale{});

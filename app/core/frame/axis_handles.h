@@ -32,6 +32,9 @@ std::optional<AxisHandle> handle_at(const std::vector<AxisHandle>& handles, cons
 /// The factor that brings the knob nearest to the pixel's ray; empty where the axis points at the eye.
 std::optional<double> factor_at(const AxisHandle& handle, const CameraView& view, glm::dvec2 pixel);
 
+/// How far one factor is from another in the picture, at the knob: what a pixel is worth.
+double factor_per_pixel(const AxisHandle& handle, const CameraView& view);
+
 /// The scene with that factor for the handle's axis, in hundredths; `uniform` scales all three by the same ratio.
 Scene stretched(const Scene& scene, const AxisHandle& handle, double factor, bool uniform);
 

@@ -159,10 +159,11 @@ struct Frame {
     std::optional<ColorKey> color_key;
     Quality quality = Quality::Fine;
     std::optional<ProbeInWorld> probe;
-    std::optional<SingularPoint> singular;  ///< where the probe stands on one
-    std::optional<RaySteps> ray;            ///< the scene's
-    std::vector<std::string> notes;         ///< on what is drawn: what is not as one may expect
-    std::optional<FlatView> flat;           ///< where the view is flat
+    std::vector<std::optional<ProbeInWorld>> pinned;  ///< the scene's; empty where a point is not there
+    std::optional<SingularPoint> singular;            ///< where the probe stands on one
+    std::optional<RaySteps> ray;                      ///< the scene's
+    std::vector<std::string> notes;                   ///< on what is drawn: what is not as one may expect
+    std::optional<FlatView> flat;                     ///< where the view is flat
 };
 
 /// Where the arc of the angle, the legend's swatches and the map's key take their colour: error in degrees, 0 … 90.

@@ -3,6 +3,7 @@
 #include "core/frame/axis_handles.h"
 #include "core/frame/drawn_arrows.h"
 #include "core/picture/flat_probe_marks.h"
+#include "core/picture/pinned_marks.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -31,7 +32,7 @@ public:
           options_(options),
           plane_(frame.flat->plane),
           cut_(*frame.flat->cut),
-          sheet_(pane, plane_, options.pixel_scale),
+          board_(pane, plane_, options.pixel_scale),
           room_(pane, options.pixel_scale),
           colors_(theme_colors(scene.theme)),
           paper_(glm::mix(colors_.background_top, colors_.background_bottom, 0.5f)),
@@ -43,7 +44,13 @@ public:
         if (scene_.show.axes) axes();
         curves();
         arrows();
-        add_flat_probe_marks(pane_, scene_, frame_, sheet_, room_, options_);
+        add_flat_probe_marks(pane_, scene_, frame_, board_, room_, options_);
+        for (std::size_t i = 0; i < frame_.pinned.size(); ++i) {
+            if (!frame_.pinned[i]) continue;
+            const glm::dvec2 at = plane_.place(frame_.pinned[i]->point);
+            board_.disc(at, 4.5, colors_.text, kProbePoint);
+            room_.put_beside(plane_.at(at).xyz, std::to_string(i + 1), colors_.text);
+        }
         for (const End& end : ends_) room_.put_beside(plane_.at(end.at).xyz, end.name, end.color);
     }
 
@@ -51,7 +58,7 @@ private:
     // Lines a unit apart, or so many units that they do not crowd.
     void graph_paper() {
         constexpr double kNearest = 36.0;  // logical pixels
-        const double pixel = sheet_.pixel();
+        const double pixel = board_.pixel();
         const double step = std::pow(10.0, std::max(0.0, std::ceil(std::log10(kNearest * pixel))));
         const glm::dvec2 half = 0.5 / static_cast<double>(options_.pixel_scale) * pixel * glm::dvec2(pane_.rect.size),
                          middle = plane_.place(pane_.view.eye());
@@ -61,7 +68,7 @@ private:
             for (double i = first; i <= last && i < first + 400.0; ++i) {
                 glm::dvec2 a = middle - half, b = middle + half;
                 a[k] = b[k] = i * step;
-                sheet_.line(std::array{a, b}, pen);
+                board_.line(std::array{a, b}, pen);
             }
         }
     }
@@ -76,7 +83,7 @@ private:
                 all = all && m_.reaches(p);
                 corners[k] = plane_.place(m_(p));
             }
-            if (all) sheet_.polygon(corners, fill, kInside);
+            if (all) board_.polygon(corners, fill, kInside);
         }
     }
 
@@ -85,12 +92,12 @@ private:
             const glm::vec3 color = kAxisColors[static_cast<std::size_t>(handle.axis)];
             const bool hot = options_.hot_axis == handle.axis;
             const glm::dvec2 from = plane_.place(handle.origin), to = plane_.place(handle.knob());
-            sheet_.line(std::array{from, to}, {1.6, glm::mix(paper_, color, 0.75f), kAxisLines});
+            board_.line(std::array{from, to}, {1.6, glm::mix(paper_, color, 0.75f), kAxisLines});
             const glm::dvec2 way = (handle.factor < 0.0 ? -1.0 : 1.0) * glm::normalize(plane_.part(handle.unit.xyz)),
                              up(-way.y, way.x);
-            const double half = (hot ? 8.0 : 6.0) * sheet_.pixel();
+            const double half = (hot ? 8.0 : 6.0) * board_.pixel();
             if (options_.handles)
-                sheet_.polygon(std::array{to - half * (way + up), to + half * (way - up), to + half * (way + up),
+                board_.polygon(std::array{to - half * (way + up), to + half * (way - up), to + half * (way + up),
                                           to - half * (way - up)},
                                hot ? glm::mix(color, glm::vec3(1.0f), 0.35f) : color, kHandles);
             ends_.push_back({to + half * way, std::string(1, "xyz"[handle.axis]), color});
@@ -103,7 +110,7 @@ private:
         bool closed = false;
     };
     void draw(const Line& line, const Pen& pen) {
-        line.closed ? sheet_.loop(line.points, pen) : sheet_.line(line.points, pen);
+        line.closed ? board_.loop(line.points, pen) : board_.line(line.points, pen);
     }
 
     // All of them before, then all after: what is drawn later lies above in an SVG.
@@ -168,10 +175,10 @@ private:
         if (frame_.probe && scene_.show.probe) {  // the probe's own arrows stand there
             const glm::dvec2 probe = kind == ArrowKind::Object ? glm::dvec2(frame_.probe->object.point.xyz)
                                                                : plane_.place(frame_.probe->point);
-            if (glm::distance(probe, base) < 0.75 * flat_probe_length(sheet_, scene_, options_)) return;
+            if (glm::distance(probe, base) < 0.75 * flat_probe_length(board_, scene_, options_)) return;
         }
         const glm::dvec2 vector = length * glm::normalize(way);
-        sheet_.arrow(base, vector, pen, arrow_look(kind), paper_);
+        board_.arrow(base, vector, pen, arrow_look(kind), paper_);
         room_.keep_clear(plane_.at(base).xyz, plane_.at(base + vector).xyz);
     }
 
@@ -182,7 +189,7 @@ private:
     const FrameOptions& options_;
     const FlatPlane& plane_;
     const FlatCut& cut_;
-    FlatSheet sheet_;
+    FlatBoard board_;
     LabelRoom room_;
     ThemeColors colors_;
     glm::vec3 paper_;
@@ -224,6 +231,7 @@ void add_flat_view(Frame& frame, const Scene& scene, const Transform<World, Obje
     if (probe) frame.probe = in_world(*probe, m, scene, options.right_power);
     if (probe && probe->singular) frame.singular = singular_point(*surface.implicit, probe->point, scene.borrow);
     if (scene.ray) frame.ray = ray_steps(scene, surface, m, CameraView(scene.camera, pane.rect.size));
+    frame.pinned = pinned_probes(scene, surface, m, options.right_power, cut.get());
     judge(*frame.flat, scene, frame.probe, m, options.right_power);
     Marks(pane, scene, frame, m, options).add();
 }

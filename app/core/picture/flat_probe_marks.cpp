@@ -35,14 +35,14 @@ std::string times(double factor) {
 
 class Marks {
 public:
-    Marks(Pane& pane, const Scene& scene, const Frame& frame, FlatSheet& sheet, LabelRoom& room,
+    Marks(Pane& pane, const Scene& scene, const Frame& frame, FlatBoard& board, LabelRoom& room,
           const FrameOptions& options)
         : pane_(pane),
           scene_(scene),
           probe_(*frame.probe),
           view_(*frame.flat),
           plane_(view_.plane),
-          sheet_(sheet),
+          board_(board),
           room_(room),
           highlight_(options.highlight),
           colors_(theme_colors(scene.theme)),
@@ -50,14 +50,14 @@ public:
           kinds_(drawn_arrows(scene, world_from_object(scene), pane.rule)),
           centre_(plane_.place(probe_.point)),
           before_(probe_.object.point.xyz),
-          length_(flat_probe_length(sheet, scene, options)) {
+          length_(flat_probe_length(board, scene, options)) {
         choose_scale();
     }
 
     void tangent() {
         if (!scene_.show.tangent_plane || !view_.tangent) return;
         const glm::dvec2 half = 1.4 * length_ * glm::normalize(*view_.tangent);
-        sheet_.line(std::array{centre_ - half, centre_ + half}, {2.6, kTangentColor, kTangentLine});
+        board_.line(std::array{centre_ - half, centre_ + half}, {2.6, kTangentColor, kTangentLine});
         keep_clear(centre_ - half, centre_ + half);
     }
 
@@ -66,7 +66,7 @@ public:
         if (ghost() && view_.n_object) {
             const glm::dvec2 n = length_ * scale_ * *view_.n_object;
             legs(before_, n, std::nullopt, colors_.ghost);
-            sheet_.arrow(before_, n, {2.4, colors_.ghost, layer}, ArrowLook::Hollow, paper_);
+            board_.arrow(before_, n, {2.4, colors_.ghost, layer}, ArrowLook::Hollow, paper_);
             named_.push_back({"n", {}, before_ + n, colors_.ghost});
             keep_clear(before_, before_ + n);
         }
@@ -94,15 +94,15 @@ public:
         const std::vector<glm::dvec3> arc =
             arc_between({centre_, 0.0}, {glm::normalize(*naive), 0.0}, {up, 0.0}, 0.55 * length_);
         std::vector<glm::dvec2> points(arc.begin(), arc.end());
-        sheet_.line(points, {2.0, colors_.text, kAngles});
+        board_.line(points, {2.0, colors_.text, kAngles});
         for (std::size_t i = 1; i < points.size(); ++i) keep_clear(points[i - 1], points[i]);
     }
 
     void point() {
         if (ghost()) {
-            sheet_.disc(before_, 4.0, colors_.ghost, kProbePoint);
+            board_.disc(before_, 4.0, colors_.ghost, kProbePoint);
         }
-        sheet_.disc(centre_, 6.0, colors_.text, kProbePoint);
+        board_.disc(centre_, 6.0, colors_.text, kProbePoint);
     }
 
     /// At its tip each arrow says whose it is, and by how much it is off; those that lie on each other say it together.
@@ -143,7 +143,7 @@ public:
         if (!highlight_) return;
         for (const SymbolArrow& arrow : pane_.symbols)
             if (arrow.what == *highlight_)
-                sheet_.arrow(plane_.place({arrow.base}), plane_.part(arrow.vector), {7.0, kGlow, kTangentLine},
+                board_.arrow(plane_.place({arrow.base}), plane_.part(arrow.vector), {7.0, kGlow, kTangentLine},
                              ArrowLook::Plain, paper_);
     }
 
@@ -200,7 +200,7 @@ private:
 
     void arrow(Named named, ArrowLook look, int layer) {
         const bool dashed = look == ArrowLook::Dashed;
-        sheet_.arrow(centre_, named.n,
+        board_.arrow(centre_, named.n,
                      {look == ArrowLook::TwoHeads ? 6.0
                       : dashed                    ? 4.2
                                                   : 4.6,
@@ -214,14 +214,14 @@ private:
     // Along x, then along y; what each has been multiplied by stands at its middle. Beside an arrow that lies along an axis
     // there is no room for them.
     void legs(glm::dvec2 base, glm::dvec2 vector, const std::optional<glm::dvec2>& factors, const glm::vec3& color) {
-        const double least = 12.0 * sheet_.pixel();
+        const double least = 12.0 * board_.pixel();
         const bool room = std::abs(vector.x) > least && std::abs(vector.y) > least;
         const glm::dvec2 corner = room ? base + glm::dvec2(vector.x, 0.0) : base + 0.5 * vector, tip = base + vector;
         for (glm::length_t k = 0; k < 2; ++k) {
             if (std::abs(vector[k]) <= least) continue;
             const glm::dvec2 from = k == 0 ? base : corner, to = k == 0 ? corner : tip;
             if (room) {
-                sheet_.line(std::array{from, to}, {1.8, glm::mix(paper_, color, 0.8f), kLegs, 3.0});
+                board_.line(std::array{from, to}, {1.8, glm::mix(paper_, color, 0.8f), kLegs, 3.0});
                 keep_clear(from, to);
             }
             if (factors && std::abs((*factors)[k] - 1.0) > 1e-9)
@@ -234,7 +234,7 @@ private:
         const glm::dvec2 along = glm::normalize(*view_.tangent);
         if (std::abs(glm::dot(along, up)) > 1e-9) return;  // as of tangents that went by a mistake
         const double side = 0.2 * length_;
-        sheet_.line(std::array{centre_ - side * along, centre_ + side * (up - along), centre_ + side * up},
+        board_.line(std::array{centre_ - side * along, centre_ + side * (up - along), centre_ + side * up},
                     {1.8, probe_.affine ? kInverseTransposeColor : colors_.text, kAngles});
     }
 
@@ -252,7 +252,7 @@ private:
     const ProbeInWorld& probe_;
     const FlatView& view_;
     const FlatPlane& plane_;
-    FlatSheet& sheet_;
+    FlatBoard& board_;
     LabelRoom& room_;
     std::optional<Highlight> highlight_;
     ThemeColors colors_;
@@ -267,14 +267,14 @@ private:
 
 }  // namespace
 
-double flat_probe_length(const FlatSheet& sheet, const Scene& scene, const FrameOptions& options) {
-    return std::max(5.0 * options.unit * scene.arrows.length, 80.0 * sheet.pixel());
+double flat_probe_length(const FlatBoard& board, const Scene& scene, const FrameOptions& options) {
+    return std::max(5.0 * options.unit * scene.arrows.length, 80.0 * board.pixel());
 }
 
-void add_flat_probe_marks(Pane& pane, const Scene& scene, const Frame& frame, FlatSheet& sheet, LabelRoom& room,
+void add_flat_probe_marks(Pane& pane, const Scene& scene, const Frame& frame, FlatBoard& board, LabelRoom& room,
                           const FrameOptions& options) {
     if (!frame.probe) return;
-    Marks marks(pane, scene, frame, sheet, room, options);
+    Marks marks(pane, scene, frame, board, room, options);
     marks.symbols();
     marks.tangent();
     if (!scene.show.probe) return;

@@ -2,7 +2,7 @@
 
 #include "core/frame/frame_options.h"
 #include "core/frame/label_room.h"
-#include "core/picture/flat_sheet.h"
+#include "core/picture/flat_board.h"
 
 #include <vector>
 
@@ -25,11 +25,11 @@ enum FlatLayer {
 };
 
 /// How long the normal in object space is at the probe, in world units.
-double flat_probe_length(const FlatSheet& sheet, const Scene& scene, const FrameOptions& options);
+double flat_probe_length(const FlatBoard& board, const Scene& scene, const FrameOptions& options);
 
 /// Adds one tangent, the normals as long beside each other as they come out, with their x and y legs and what each is
 /// multiplied by, the angle, the verdicts, and the symbols of the equations.
-void add_flat_probe_marks(Pane& pane, const Scene& scene, const Frame& frame, FlatSheet& sheet, LabelRoom& room,
+void add_flat_probe_marks(Pane& pane, const Scene& scene, const Frame& frame, FlatBoard& board, LabelRoom& room,
                           const FrameOptions& options);
 
 }  // namespace normalscope

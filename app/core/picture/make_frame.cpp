@@ -8,6 +8,7 @@
 #include "core/picture/flat_marks.h"
 #include "core/picture/framing.h"
 #include "core/picture/handle_marks.h"
+#include "core/picture/pinned_marks.h"
 #include "core/picture/probe_marks.h"
 #include "core/picture/ray_marks.h"
 #include "core/picture/sheet_marks.h"
@@ -312,6 +313,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     if (probe) frame.probe = in_world(*probe, m, scene, options.right_power);
     if (probe && probe->singular) frame.singular = singular_point(*frame.surface->implicit, probe->point, scene.borrow);
     if (scene.ray) frame.ray = ray_steps(scene, *frame.surface, m, view);
+    frame.pinned = pinned_probes(scene, *frame.surface, m, options.right_power);
 
     const std::shared_ptr<const LevelSets> slice =
         options.level_sets ? options.level_sets : level_sets(scene, frame.surface->implicit.get());
@@ -328,6 +330,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         if (options.handles) add_knobs(pane, scene, m, options);
         if (frame.ray) add_ray_marks(pane, scene, *frame.ray, m, ghost, options);
         if (scene.show.stretch_axes) add_decomposition_marks(pane, scene, frame.surface->mesh, m, options);
+        add_pinned_marks(pane, scene, frame, options);
         if (scene.view == ViewMode::Split) add_title(pane, scene);
     }
     if (scene.show.legend) add_legend(frame, scene, m);

@@ -99,6 +99,15 @@ std::optional<Point<Object>> probe_dragged(const Frame& frame, const Pane& pane,
     return probe ? std::optional(probe->point) : std::nullopt;
 }
 
+std::optional<Point<Object>> probe_moved(const Frame& frame, const Transform<World, Object>& world_from_object,
+                                         glm::dvec2 by) {
+    if (!frame.probe || frame.panes.empty()) return std::nullopt;
+    const Pane& pane = frame.panes.front();
+    const glm::dvec3 at = pane.view.pixel(frame.probe->point);
+    if (!(at.z > 0.0)) return std::nullopt;
+    return probe_dragged(frame, pane, world_from_object, glm::dvec2(pane.rect.origin) + glm::dvec2(at) + by);
+}
+
 std::optional<Highlight> highlight_at(const Frame& frame, glm::dvec2 pixel, double reach) {
     const Pane* pane = pane_at(frame, pixel);
     if (!pane) return std::nullopt;

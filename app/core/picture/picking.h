@@ -22,6 +22,10 @@ bool holds_probe(const Scene& scene, const Frame& frame, const Transform<World, 
 std::optional<Point<Object>> probe_dragged(const Frame& frame, const Pane& pane,
                                            const Transform<World, Object>& world_from_object, glm::dvec2 pixel);
 
+/// The same for one that is moved by so many pixels from where it is; empty where there is no probe.
+std::optional<Point<Object>> probe_moved(const Frame& frame, const Transform<World, Object>& world_from_object,
+                                         glm::dvec2 by);
+
 /// What the arrow of the probe within `reach` pixels is in the equations.
 std::optional<Highlight> highlight_at(const Frame& frame, glm::dvec2 pixel, double reach);
 

@@ -142,6 +142,9 @@ struct Scene {
     /// A point in object space; the probe is the surface's point nearest to it. Empty: what the camera sees nearest
     /// the middle of the picture.
     std::optional<Point<Object>> probe;
+    /// Up to so many other points, to be read beside the probe as rows.
+    static constexpr std::size_t kMostPinned = 4;
+    std::vector<Point<Object>> pinned;
     /// Where ∇f = 0 there is no normal, and a neighbour on the surface lends its own: the one nearest this direction.
     std::optional<Direction<Object>> borrow;
     std::optional<Slice> slice;

@@ -92,6 +92,9 @@ Scene blend(const Scene& from, const Scene& to, double t) {
         scene.surface = std::move(between);
     }
     if (from.probe && to.probe) scene.probe = Point<Object>{glm::mix(from.probe->xyz, to.probe->xyz, t)};
+    if (from.pinned.size() == to.pinned.size())
+        for (std::size_t i = 0; i < to.pinned.size(); ++i)
+            scene.pinned[i].xyz = glm::mix(from.pinned[i].xyz, to.pinned[i].xyz, t);
     if (from.stack_position || to.stack_position) {
         // Positions count entries, which must then stay; only where the stack is the same is there a way between them.
         if (from.stack == to.stack) {

@@ -178,6 +178,7 @@ void fields(F& f, S& s) {
     f("theme", s.theme);
     f("show", s.show);
     f("probe", s.probe);
+    f("pinned", s.pinned);
     f("borrow", s.borrow);
     f("slice", s.slice);
     f("ray", s.ray);

@@ -277,6 +277,9 @@ Scene scene_of_json(const Json& json, const JsonPath& path) {
     JsonObject object(json, path, "a scene, which is an object");
     Reader reader{object};
     fields(reader, scene);
+    if (scene.pinned.size() > Scene::kMostPinned)
+        throw JsonError(below(path, "pinned"), "has " + std::to_string(scene.pinned.size()) + " points; at most " +
+                                                   std::to_string(Scene::kMostPinned) + " are allowed");
     object.read_format("normalscope");
     object.no_other_keys();
     try {

@@ -40,6 +40,7 @@ struct Status {
     std::optional<ErrorStatistics> errors;
     std::string file;       ///< the open scene's file or name; empty if none
     bool has_file = false;  ///< which is the user's, and can be saved to
+    bool by_hand = false;   ///< a user's hand changes the scene, and no command does
 };
 
 }  // namespace normalscope

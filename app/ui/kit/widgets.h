@@ -1,13 +1,11 @@
 #pragma once
 
 #include "core/frame/frame.h"
-#include "core/scene/scene_fields.h"
 #include "ui/kit/icons.h"
 #include "ui/kit/style.h"
 
 #include <glm/mat4x4.hpp>
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +14,8 @@ namespace normalscope {
 
 /// Explains the last item while the pointer rests on it.
 void tip(const Look& look, const char* text);
+/// Beside the pointer, or where ImGui::SetNextWindowPos says.
+void show_tip(const Look& look, const char* text);
 
 /// Begins a window that stays where it is, beside the picture. The renderer has filled what lies beside the picture with
 /// the panel's colour, so that only one that covers the picture, or another one (`over_another`), needs a ground of its own.
@@ -27,30 +27,6 @@ bool section(const Look& look, const char* title, bool open_at_first = true);
 
 /// As ImGui::BeginCombo.
 bool begin_combo(const Look& look, const char* id, const std::string& current, float width);
-
-/// A number to be dragged: the bar's tip follows the pointer, so that a click alone changes nothing; a double click or
-/// Ctrl+click types. Between `low` and `high` by mouse; whatever `range` allows when typed.
-struct NumberBar {
-    const char* letter = "";        ///< at the left
-    std::optional<ImVec4> color{};  ///< of the letter and the bar
-    double low = 0.0, high = 0.0;   ///< equal: no bar, and no limit but `range`
-    double zero = 0.0;              ///< where the bar starts
-    double step = 0.01;             ///< to which dragging rounds
-    int decimals = 3;
-    const char* unit = "";
-    Range range = kCoordinate;
-    const char* about = "";  ///< for its tooltip
-};
-/// As wide as ImGui::SetNextItemWidth says. True where the value has changed; it is always finite and within the range.
-bool number_bar(const Look& look, const char* id, double& value, const NumberBar& bar);
-bool number_bar(const Look& look, const char* id, int& value, const NumberBar& bar);
-
-struct DirectionBar {
-    const char *letter, *about;
-};
-/// A direction's azimuth and elevation in degrees, as bars beside each other over the width that there is.
-void direction_bars(const Look& look, const char* id, double& azimuth, double& elevation,
-                    const DirectionBar& azimuth_bar, const DirectionBar& elevation_bar);
 
 struct IconButton {
     Icon icon;

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/formula/parse.h"
 #include "core/formula/syntax_error.h"
+#include "ui/kit/number_bar.h"
 #include "ui/kit/number_text.h"
 #include "ui/kit/widgets.h"
 #include "ui/typeset/small_matrix.h"
@@ -182,7 +183,9 @@ void parameter(const Look& look, char letter, double& value, std::optional<Range
                 .step = span > 20.0  ? 0.1
                         : span > 0.5 ? 0.01
                                      : 0.001,
-                .about = "A parameter of the formula."});
+                .about = "A parameter of the formula.",
+                .rest = 1.0,
+                .catches = true});
     ImGui::SameLine(0, gap);
     range_editor(look, name.c_str(), *range);
     ImGui::PopID();
@@ -197,7 +200,8 @@ void bound_and_clip(const Look& look, FormulaSurface& surface) {
                 .high = 5.0,
                 .zero = 0.5,
                 .range = {1e-3, 1e3},
-                .about = "How far the surface goes from the origin: the ball's radius, or half the cube's side."});
+                .about = "How far the surface goes from the origin: the ball's radius, or half the cube's side.",
+                .rest = FormulaSurface{}.bound});
     ImGui::SameLine(0, gap);
     int clip = static_cast<int>(surface.clip);
     static constexpr std::array<Segment, 2> kClips{{{"Ball", "What lies outside a ball about the origin is cut off."},

@@ -1,6 +1,7 @@
 #include "ui/panel/panel.h"
 
 #include "core/scene/palette.h"
+#include "ui/kit/number_bar.h"
 #include "ui/kit/widgets.h"
 
 #include <algorithm>
@@ -97,7 +98,8 @@ void arrows_section(Scene& scene, const PanelContext& context) {
                 .high = 0.5,
                 .zero = 0.01,
                 .range = {0.001, 10},
-                .about = "In diameters of the object."});
+                .about = "In diameters of the object.",
+                .rest = Arrows{}.length});
     ImGui::SetNextItemWidth(half);
     number_bar(look, "##every", scene.arrows.every,
                {.letter = "every n-th",
@@ -105,7 +107,8 @@ void arrows_section(Scene& scene, const PanelContext& context) {
                 .high = 32,
                 .zero = 1,
                 .range = {1, 1e9},
-                .about = "Every n-th vertex or face has an arrow."});
+                .about = "Every n-th vertex or face has an arrow.",
+                .rest = Arrows{}.every});
     ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(half);
     number_bar(look, "##limit", scene.arrows.limit,
@@ -113,7 +116,8 @@ void arrows_section(Scene& scene, const PanelContext& context) {
                 .low = 0,
                 .high = 1000,
                 .range = {0, 1e6},
-                .about = "At most so many of a kind, spread evenly."});
+                .about = "At most so many of a kind, spread evenly.",
+                .rest = Arrows{}.limit});
 }
 
 void picture_section(Scene& scene, const PanelContext& context) {
@@ -164,8 +168,9 @@ void picture_section(Scene& scene, const PanelContext& context) {
 
     dim_text(look, "light from");
     direction_bars(look, "light", scene.light.azimuth, scene.light.elevation,
-                   {"azimuth", "To the right of looking along −z. Shift+drag in the picture moves the light, too."},
-                   {"elevation", "Above the horizon."});
+                   {"azimuth", "To the right of looking along −z. Shift+drag in the picture moves the light, too.",
+                    Scene{}.light.azimuth},
+                   {"elevation", "Above the horizon.", Scene{}.light.elevation});
 }
 
 }  // namespace normalscope

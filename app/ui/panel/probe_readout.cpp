@@ -140,6 +140,39 @@ void dots(const Look& look, const ProbeInWorld& probe, const Scene& scene) {
     }
 }
 
+// A row for each pinned point: its number, the verdicts of the two rules, the angle between them, and a way to let it go.
+void pinned_rows(const Look& look, const Frame& frame, Scene& scene) {
+    if (frame.pinned.empty()) return;
+    const Columns c = columns(look.px(30), 3);
+    const std::string naive = normal_formula(Rule::Naive, scene);
+    const std::array<std::string_view, 3> words{naive, "(M⁻¹)ᵀ n", "off by"};
+    ImGui::Dummy({0, look.px(4)});
+    heading(look, c, "pinned", words);
+    std::optional<std::size_t> let_go;
+    for (std::size_t i = 0; i < frame.pinned.size(); ++i) {
+        const std::optional<ProbeInWorld>& probe = frame.pinned[i];
+        ImGui::PushID(static_cast<int>(i));
+        ImGui::SetCursorPosX(c.left);
+        if (ImGui::SmallButton(std::to_string(i + 1).c_str())) let_go = i;
+        tip(look, "Let this point go.");
+        std::size_t column = 0;
+        for (const Rule rule : {Rule::Naive, Rule::InverseTranspose}) {
+            const std::optional<Normal<World>> n = probe ? probe->normals[rule] : std::nullopt;
+            const bool right = n && probe->truth && angle_degrees(n->xyz, probe->truth->xyz).value_or(90.0) < 1e-6;
+            ImGui::SameLine();
+            ImGui::PushStyleColor(ImGuiCol_Text, !n ? look.dim : right ? look.good : look.bad);
+            text_right(!n ? "—" : right ? "✓" : "✗", c.right[column++]);
+            ImGui::PopStyleColor();
+        }
+        ImGui::SameLine();
+        text_right(in_degrees(probe ? probe->error_degrees : std::nullopt), c.right[2]);
+        ImGui::PopID();
+    }
+    ImGui::Dummy({0, look.px(4)});
+    if (let_go && *let_go < scene.pinned.size())
+        scene.pinned.erase(scene.pinned.begin() + static_cast<std::ptrdiff_t>(*let_go));
+}
+
 // Three figures in a row: what they are above, what they come to below.
 void over_the_surface(const Look& look, const Scene& scene, const std::optional<ErrorStatistics>& errors) {
     std::optional<double> bound;
@@ -186,25 +219,34 @@ void over_the_surface(const Look& look, const Scene& scene, const std::optional<
     ImGui::Dummy({0, 0});
 }
 
+// At the right of the section's title: what is said of the probe's place, and what can be done about it.
+void beside_title(const Look& look, Scene& scene, const Frame& frame) {
+    const char* const where = scene.probe ? "let go" : "follows the view";
+    ImGui::PushFont(look.fonts.small);
+    const float pad = 2 * ImGui::GetStyle().FramePadding.x, right = ImGui::GetContentRegionMax().x;
+    const float width = ImGui::CalcTextSize(where).x + (scene.probe ? pad : 0.0f);
+    if (frame.probe && scene.pinned.size() < Scene::kMostPinned) {
+        ImGui::SameLine(right - width - ImGui::CalcTextSize("pin").x - pad - look.px(8));
+        if (ImGui::SmallButton("pin")) scene.pinned.push_back(frame.probe->object.point);
+        tip(look, "Keep this point as a row below (P). Drag the probe on, and compare up to four of them.");
+    }
+    ImGui::SameLine(right - width);
+    if (scene.probe) {
+        if (ImGui::SmallButton(where)) scene.probe.reset();
+        tip(look, "Let the probe follow the view again: the surface's point nearest the middle of the picture.");
+    } else {
+        dim_text(look, where);
+        tip(look, "The surface's point nearest the middle of the picture. Click the surface to put the probe there.");
+    }
+    ImGui::PopFont();
+}
+
 }  // namespace
 
 void probe_section(Scene& scene, PanelMemory& memory, const PanelContext& context) {
     const Look& look = context.look;
     const bool open = section(look, "Probe");
-    if (scene.probe) {
-        ImGui::PushFont(look.fonts.small);
-        const float width = ImGui::CalcTextSize("unpin").x + look.px(16);
-        ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-        if (ImGui::SmallButton("unpin")) scene.probe.reset();
-        ImGui::PopFont();
-        tip(look, "Let the probe follow the view again: the surface's point nearest the middle of the picture.");
-    } else {
-        ImGui::PushFont(look.fonts.small);
-        ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize("follows the view").x);
-        dim_text(look, "follows the view");
-        ImGui::PopFont();
-        tip(look, "The surface's point nearest the middle of the picture. Click the surface to pin the probe there.");
-    }
+    beside_title(look, scene, context.frame);
     if (!open) return;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px(8), 0));
     if (const auto& probe = context.frame.probe) {
@@ -215,6 +257,7 @@ void probe_section(Scene& scene, PanelMemory& memory, const PanelContext& contex
         where_and_whither(look, *probe, scene);
         ImGui::Dummy({0, look.px(4)});
         dots(look, *probe, scene);
+        pinned_rows(look, context.frame, scene);
     } else {
         dim_text(look, "This surface has no point to look at.");
     }

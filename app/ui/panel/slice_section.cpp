@@ -1,3 +1,4 @@
+#include "ui/kit/number_bar.h"
 #include "ui/kit/number_text.h"
 #include "ui/kit/widgets.h"
 #include "ui/panel/panel.h"
@@ -47,7 +48,9 @@ void slice_section(Scene& scene, const PanelContext& context) {
                 .low = -formula->bound,
                 .high = formula->bound,
                 .range = kCoordinate,
-                .about = "Where the plane cuts the object's axis; its knob in the picture can be dragged, too."});
+                .about = "Where the plane cuts the object's axis; its knob in the picture can be dragged, too.",
+                .rest = 0.0,
+                .catches = true});
 }
 
 // Beside the probe, where it stands on a point without a normal.
@@ -76,8 +79,8 @@ void singular_section(Scene& scene, const PanelContext& context) {
                 ": so much depends on the choice.");
     if (!scene.borrow) return;
     direction_bars(look, "borrow", scene.borrow->azimuth, scene.borrow->elevation,
-                   {"around", "Which way the neighbour lies, in object space."},
-                   {"above", "How far above the horizon the neighbour lies, in object space."});
+                   {"around", "Which way the neighbour lies, in object space.", 0.0},
+                   {"above", "How far above the horizon the neighbour lies, in object space.", 0.0});
     if (!singular->lender) return;
     const auto line = [&](const char* what, const glm::dvec3& v) {
         dim_text(look, what);

@@ -2,6 +2,7 @@
 
 #include "core/base/overload.h"
 #include "core/scene/palette.h"
+#include "ui/kit/number_bar.h"
 #include "ui/kit/number_text.h"
 #include "ui/kit/widgets.h"
 
@@ -46,7 +47,9 @@ void edit(const Look& look, Scale& s, float width, StackMemory& memory) {
                                          .color = axis_color(i),
                                          .low = -3.0,
                                          .high = 3.0,
-                                         .about = "Zero flattens, a negative factor mirrors."});
+                                         .about = "Zero flattens, a negative factor mirrors.",
+                                         .rest = 1.0,
+                                         .catches = true});
         if (ImGui::IsItemActivated()) memory.factors_at_start = s.factors;
         if (!changed) continue;
         if (memory.lock_scale) {
@@ -70,7 +73,8 @@ void edit(const Look& look, Rotate& r, float width, StackMemory&) {
                 .decimals = 1,
                 .unit = "°",
                 .range = kDegrees,
-                .about = "Counterclockwise, looking against the axis."});
+                .about = "Counterclockwise, looking against the axis.",
+                .rest = 0.0});
     glm::dvec3 axis = r.axis;
     if (row_of_three(look, axis, width, {.about = "The axis; its length does not matter, but must not be zero."}) &&
         glm::length(axis) > 0.0)
@@ -78,7 +82,7 @@ void edit(const Look& look, Rotate& r, float width, StackMemory&) {
 }
 
 void edit(const Look& look, Translate& t, float width, StackMemory&) {
-    row_of_three(look, t.offset, width, {.about = "Moves points. Normals do not notice: vectors have w = 0."});
+    row_of_three(look, t.offset, width, {.about = "Moves points. Normals do not notice: vectors have w = 0.", .rest = 0.0});
 }
 
 void edit(const Look& look, Shear& s, float width, StackMemory&) {
@@ -102,7 +106,9 @@ void edit(const Look& look, Shear& s, float width, StackMemory&) {
                     .color = axis_color(static_cast<int>(i % 3)),
                     .low = -2.0,
                     .high = 2.0,
-                    .about = kParts[i].about});
+                    .about = kParts[i].about,
+                    .rest = 0.0,
+                    .catches = true});
     }
 }
 

@@ -5,6 +5,7 @@
 #include "core/mesh/mesh_file.h"
 #include "core/scene/scene_fields.h"
 #include "core/scene/scene_json.h"
+#include "ui/kit/number_bar.h"
 #include "ui/kit/number_text.h"
 #include "ui/kit/widgets.h"
 #include "ui/panel/panel_memory.h"
@@ -106,7 +107,8 @@ void surface_section(Scene& scene, PanelMemory& memory, const PanelContext& cont
                     .high = 128,
                     .zero = 3,
                     .range = {3, 512},
-                    .about = "Segments around the shape, 3 to 512."});
+                    .about = "Segments around the shape, 3 to 512.",
+                    .rest = ShapeSurface{}.resolution});
     }
     if (!context.frame.surface) return;
     const Mesh& mesh = context.frame.surface->mesh;

@@ -1,6 +1,7 @@
 #include "ui/tabs/ray_tab.h"
 
 #include "core/surface/ray_steps.h"
+#include "ui/kit/number_bar.h"
 #include "ui/kit/number_text.h"
 #include "ui/kit/widgets.h"
 #include "ui/typeset/math_layout.h"

@@ -1,5 +1,6 @@
 #include "ui/tabs/stack_player.h"
 
+#include "ui/kit/number_bar.h"
 #include "ui/kit/widgets.h"
 
 #include <algorithm>
@@ -90,7 +91,8 @@ void player_controls(const Look& look, Scene& scene, StackPlayer& player) {
                     .decimals = 2,
                     .range = {0.0, std::max(count, 1e-9)},
                     .about = "How many entries act, a fraction meaning part of the next: angles, offsets and factors "
-                             "grow evenly."})) {
+                             "grow evenly.",
+                    .rest = count})) {
         set_position(scene, position);
         player.playing = false;
     }

@@ -109,6 +109,8 @@ TEST(SceneJson, ErrorsNameThePath) {
         {R"({"show": {"grid": 1}})", {"show.grid", "true or false"}},
         {R"({"arrows": {"show": ["naive", "other"]}})", {"arrows.show.1", "object, naive"}},
         {R"({"probe": [0, 0]})", {"probe", "3 numbers"}},
+        {R"({"pinned": [[0, 0, 1], [0, 0]]})", {"pinned.1", "3 numbers"}},
+        {R"({"pinned": [[0, 0, 1], [0, 0, 1], [0, 0, 1], [0, 0, 1], [0, 0, 1]]})", {"pinned", "5 points", "at most 4"}},
         {R"({"normalscope": 2})", {"normalscope", "format 2"}},
         {R"({"normalscope": "1"})", {"normalscope"}},
     };

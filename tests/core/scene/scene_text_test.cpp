@@ -23,6 +23,7 @@ Scene random_scene(Random& random) {
     s.stack = random.stack(8);
     s.rule = any_of<Rule>(random, 3);
     s.view = any_of<ViewMode>(random, 4);
+    for (int n = random.below(5); n > 0; --n) s.pinned.push_back({random.vector(2.0)});
     s.arrows = {
         any_of<ArrowPlacement>(random, 2), 1 + random.below(1000), random.uniform(0.001, 10.0), random.below(1000), {}};
     if (random.chance(0.5)) {

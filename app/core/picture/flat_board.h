@@ -20,9 +20,9 @@ struct Pen {
 
 /// Draws flat things into a pane that looks straight at a plane, places being the plane's. Within a layer nothing may overlap
 /// that differs in colour; layers are to come in order, which is all that an SVG knows of them.
-class FlatSheet {
+class FlatBoard {
 public:
-    FlatSheet(Pane& pane, const FlatPlane& plane, double pixel_scale);
+    FlatBoard(Pane& pane, const FlatPlane& plane, double pixel_scale);
 
     /// World units that a logical pixel covers.
     double pixel() const { return pixel_; }

@@ -1,4 +1,4 @@
-#include "core/picture/flat_sheet.h"
+#include "core/picture/flat_board.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -25,10 +25,10 @@ struct Head {
 
 }  // namespace
 
-FlatSheet::FlatSheet(Pane& pane, const FlatPlane& plane, double pixel_scale)
+FlatBoard::FlatBoard(Pane& pane, const FlatPlane& plane, double pixel_scale)
     : pane_(pane), plane_(plane), pixel_(pixel_scale * pane.view.world_per_pixel(plane.origin)) {}
 
-void FlatSheet::polygon(std::span<const glm::dvec2> corners, const glm::vec3& color, int layer) {
+void FlatBoard::polygon(std::span<const glm::dvec2> corners, const glm::vec3& color, int layer) {
     const glm::dvec3 eye = pane_.view.eye().xyz;
     // Moved toward the eye, a place stays where it is in the picture.
     const auto vertex = [&](glm::dvec2 place) {
@@ -42,7 +42,7 @@ void FlatSheet::polygon(std::span<const glm::dvec2> corners, const glm::vec3& co
     }
 }
 
-void FlatSheet::disc(glm::dvec2 centre, double radius, const glm::vec3& color, int layer) {
+void FlatBoard::disc(glm::dvec2 centre, double radius, const glm::vec3& color, int layer) {
     constexpr int kSides = 24;
     std::array<glm::dvec2, kSides> corners;
     for (int i = 0; i < kSides; ++i) {
@@ -52,21 +52,21 @@ void FlatSheet::disc(glm::dvec2 centre, double radius, const glm::vec3& color, i
     polygon(corners, color, layer);
 }
 
-void FlatSheet::line(std::span<const glm::dvec2> points, const Pen& pen) {
+void FlatBoard::line(std::span<const glm::dvec2> points, const Pen& pen) {
     if (pen.dash > 0.0)
         dashes(points, pen);
     else
         stroke(points, Ends::Open, pen);
 }
 
-void FlatSheet::loop(std::span<const glm::dvec2> points, const Pen& pen) {
+void FlatBoard::loop(std::span<const glm::dvec2> points, const Pen& pen) {
     if (!(pen.dash > 0.0)) return stroke(points, Ends::Joined, pen);
     std::vector<glm::dvec2> round(points.begin(), points.end());
     if (!round.empty()) round.push_back(round.front());
     dashes(round, pen);
 }
 
-void FlatSheet::dashes(std::span<const glm::dvec2> points, const Pen& pen) {
+void FlatBoard::dashes(std::span<const glm::dvec2> points, const Pen& pen) {
     double length = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) length += glm::distance(points[i - 1], points[i]);
     constexpr double kMost = 4000.0;
@@ -93,7 +93,7 @@ void FlatSheet::dashes(std::span<const glm::dvec2> points, const Pen& pen) {
     stroke(dash, Ends::Open, pen);
 }
 
-void FlatSheet::stroke(std::span<const glm::dvec2> given, Ends ends, const Pen& pen) {
+void FlatBoard::stroke(std::span<const glm::dvec2> given, Ends ends, const Pen& pen) {
     const bool closed = ends == Ends::Joined;
     const double half = 0.5 * pen.width * pixel_;
     std::vector<glm::dvec2> points;
@@ -125,7 +125,7 @@ void FlatSheet::stroke(std::span<const glm::dvec2> given, Ends ends, const Pen& 
     }
 }
 
-void FlatSheet::arrow(glm::dvec2 base, glm::dvec2 vector, const Pen& pen, ArrowLook look, const glm::vec3& paper) {
+void FlatBoard::arrow(glm::dvec2 base, glm::dvec2 vector, const Pen& pen, ArrowLook look, const glm::vec3& paper) {
     const double length = glm::length(vector);
     if (!(length > 0.0)) return;
     const glm::dvec2 along = vector / length, side = left_of(along);
