@@ -60,7 +60,7 @@ constexpr Line kLesson[]{
     {"B W M", "presenting: black, white, next monitor"},
 };
 
-constexpr float kKeysWidth = 128.0f, kColumnWidth = 376.0f;
+constexpr float kKeysWidth = 128.0f, kColumnWidth = 376.0f, kGap = 24.0f;
 
 // Keys as caps, the last of which ends where the column does.
 void key_caps(const Look& look, std::string_view keys) {
@@ -102,14 +102,16 @@ void block(const Look& look, const char* title, std::span<const Line> lines) {
 void draw_help(const Look& look, const PixelRect& picture, bool& open) {
     if (!open) return;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float width = look.px(2 * kColumnWidth + 3 * 24);
+    // In two columns, where the window is as wide.
+    const bool beside = screen.x >= look.px(2 * kColumnWidth + 3 * kGap);
+    const float width = look.px(beside ? 2 * kColumnWidth + 3 * kGap : kColumnWidth + 2 * kGap);
     // In the picture's middle where it fits there, else in the window's.
     const bool fits = static_cast<float>(picture.size.x) > width;
     const float middle =
         fits ? static_cast<float>(picture.origin.x) + static_cast<float>(picture.size.x) / 2 : screen.x / 2;
     ImGui::SetNextWindowPos({middle, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0, 0}, {screen.x, screen.y});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(24), look.px(18)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(kGap), look.px(18)));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, look.px(12));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(look.px(8), look.px(4)));
@@ -120,7 +122,7 @@ void draw_help(const Look& look, const PixelRect& picture, bool& open) {
     ImGui::PushFont(look.fonts.title);
     ImGui::TextUnformatted("Mouse and keys");
     ImGui::PopFont();
-    ImGui::SameLine(width - look.px(24 + 30));
+    ImGui::SameLine(width - look.px(kGap + 30));
     if (icon_button(look, "##close", {.icon = Icon::Close, .about = "Close (Esc)", .side = 28})) open = false;
     ImGui::Dummy({0, look.px(4)});
     const ImVec2 top = ImGui::GetCursorPos();
@@ -131,7 +133,10 @@ void draw_help(const Look& look, const PixelRect& picture, bool& open) {
     ImGui::Dummy({0, look.px(8)});
     block(look, "Lessons and lectures", kLesson);
     ImGui::EndGroup();
-    ImGui::SetCursorPos({top.x + look.px(kColumnWidth + 24), top.y});
+    if (beside)
+        ImGui::SetCursorPos({top.x + look.px(kColumnWidth + kGap), top.y});
+    else
+        ImGui::Dummy({0, look.px(8)});
     ImGui::BeginGroup();
     block(look, "Rules and views", kRulesKeys);
     ImGui::Dummy({0, look.px(8)});

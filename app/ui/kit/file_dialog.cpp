@@ -124,7 +124,9 @@ void FileDialog::list(const Look& look, Requests& requests) {
     bool chosen = false;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, look.card);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(8), look.px(8)));
-    const bool listed = ImGui::BeginChild("##list", {0, look.px(270)}, ImGuiChildFlags_AlwaysUseWindowPadding);
+    // As long as a screen allows that shows all else, too.
+    const float height = std::clamp(ImGui::GetIO().DisplaySize.y - look.px(220), look.px(60), look.px(270));
+    const bool listed = ImGui::BeginChild("##list", {0, height}, ImGuiChildFlags_AlwaysUseWindowPadding);
     ImGui::PopStyleVar();
     if (listed) {
         ImGuiListClipper clipper;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace normalscope {
 
@@ -78,6 +79,7 @@ public:
         const float top = static_cast<float>(pane.rect.origin.y) + style.top;
         const ImVec2 low{std::round(middle - size.x / 2 - style.pad), top},
             high{std::round(middle + size.x / 2 + style.pad), top + size.y + look_.px(10)};
+        if (high.x - low.x > static_cast<float>(pane.rect.size.x)) return;
         list_.AddRectFilled(low, high, packed(to_imgui(label.color)), (high.y - low.y) / 2);
         plain(style.font, {middle - size.x / 2, low.y + look_.px(5)}, {1, 1, 1, 1}, text);
     }
@@ -88,7 +90,10 @@ public:
         const bool small = label.role == Label::Role::Note || label.role == Label::Role::Level;
         const bool boxed = label.role == Label::Role::Side || label.role == Label::Role::Level;
         const ImFont* font = small ? look_.fonts.small : look_.fonts.strong;
+        const float room = size_of_pane.x - look_.px(8);
+        if (extent(font, label.text).x > room) font = look_.fonts.small;
         const ImVec2 size = extent(font, label.text);
+        if (size.x > room) return;  // rather none than half a word
         ImVec2 at{label.pixel.x - size.x / 2, label.pixel.y - size.y / 2};
         if (label.role == Label::Role::Note) at = {label.pixel.x + look_.px(10), label.pixel.y + look_.px(4)};
         const ImVec2 low(static_cast<float>(pane.rect.origin.x) + look_.px(4),
@@ -112,6 +117,15 @@ public:
         list_.AddRect(low, high, packed(faded(to_imgui(colors_.grid), 0.25f)), look_.px(8));
     }
 
+    // Where the names have no room, formulas alone; where these have none, nothing.
+    std::vector<LegendEntry> legend_within(ImVec2 room, std::vector<LegendEntry> entries) const {
+        const auto fits = [&] { return legend_size(entries).x <= room.x && legend_size(entries).y <= room.y; };
+        if (!fits())
+            for (LegendEntry& entry : entries)
+                if (const auto gap = entry.text.find("  "); gap != std::string::npos) entry.text.erase(0, gap + 2);
+        if (!fits()) entries.clear();
+        return entries;
+    }
     ImVec2 legend_size(const std::vector<LegendEntry>& entries) const {
         float width = 0.0f;
         for (const LegendEntry& entry : entries) width = std::max(width, extent(look_.fonts.small, entry.text).x);
@@ -131,10 +145,13 @@ public:
         }
     }
 
-    ImVec2 key_size() const { return {look_.px(284), look_.px(64)}; }
+    // As wide as there is room, if there is enough for its title.
+    ImVec2 key_size(float room, const std::string& title) const {
+        const float least = std::max(look_.px(120), extent(look_.fonts.small, title).x + look_.px(16 + 20));
+        return {room < least ? 0.0f : std::min(look_.px(284), room), look_.px(64)};
+    }
 
-    void normals_key(ImVec2 low, const std::string& text) const {
-        const ImVec2 size = key_size();
+    void normals_key(ImVec2 low, ImVec2 size, const std::string& text) const {
         card(low, {low.x + size.x, low.y + size.y});
         const ImFont* font = look_.fonts.small;
         plain(font, {low.x + look_.px(16), low.y + look_.px(5)}, to_imgui(colors_.text), text);
@@ -158,8 +175,7 @@ public:
         }
     }
 
-    void error_key(ImVec2 low, const std::string& title) const {
-        const ImVec2 size = key_size();
+    void error_key(ImVec2 low, ImVec2 size, const std::string& title) const {
         card(low, {low.x + size.x, low.y + size.y});
         const ImFont* font = look_.fonts.small;
         plain(font, {low.x + look_.px(16), low.y + look_.px(5)}, to_imgui(colors_.text), title);
@@ -215,19 +231,23 @@ void draw_words(const Look& look, const Frame& frame) {
     const float left = static_cast<float>(frame.rect.origin.x) + margin,
                 right = static_cast<float>(frame.rect.origin.x + frame.rect.size.x) - margin;
     float bottom = static_cast<float>(frame.rect.origin.y + frame.rect.size.y) - margin;
+    const float room = right - left;
+    const auto key = frame.color_key ? writer.key_size(room, frame.color_key->text) : ImVec2(0, 0);
     float beside = left;
-    if (!frame.legend.empty()) {
-        const ImVec2 size = writer.legend_size(frame.legend);
-        writer.legend({left, bottom - size.y}, frame.legend);
+    const auto legend =
+        writer.legend_within({room, bottom - static_cast<float>(frame.rect.origin.y) - margin}, frame.legend);
+    if (!legend.empty()) {
+        const ImVec2 size = writer.legend_size(legend);
+        writer.legend({left, bottom - size.y}, legend);
         beside = left + size.x + margin;
-        if (right - writer.key_size().x < beside) bottom -= size.y + look.px(8);  // no room beside it: above
+        if (right - key.x < beside) bottom -= size.y + look.px(8);  // no room beside it: above
     }
-    if (!frame.color_key) return;
-    const ImVec2 size = writer.key_size(), low{right - size.x < beside ? left : right - size.x, bottom - size.y};
+    if (key.x == 0.0f) return;
+    const ImVec2 low{right - key.x < beside ? left : right - key.x, bottom - key.y};
     if (frame.color_key->of == SurfaceColor::Error)
-        writer.error_key(low, frame.color_key->text);
+        writer.error_key(low, key, frame.color_key->text);
     else
-        writer.normals_key(low, frame.color_key->text);
+        writer.normals_key(low, key, frame.color_key->text);
 }
 
 float titles_height(const Look& look, const Frame& frame) {

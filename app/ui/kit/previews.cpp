@@ -5,12 +5,14 @@
 #include "core/picture/preview.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace normalscope {
 
 namespace {
 
 constexpr int kColumns = 6;
+constexpr int kNarrowestAtlas = 512;
 constexpr int kGap = 1;  // so that no tile shines through into its neighbour
 
 Image drawn(const std::string& name, int side, const Stop& stop) {
@@ -49,7 +51,10 @@ void Previews::reserve(ImFontAtlas& atlas) {
     std::fill(in_atlas_.begin(), in_atlas_.end(), false);
     if (!has_room_) return;
     const int rows = (static_cast<int>(scenes_.size()) + kColumns - 1) / kColumns;
-    rect_ = atlas.AddCustomRectRegular((side_ + kGap) * kColumns, (side_ + kGap) * rows);
+    const int width = (side_ + kGap) * kColumns;
+    // Dear ImGui makes an atlas as wide as its letters need, and leaves out what is wider.
+    if (width >= kNarrowestAtlas) atlas.TexDesiredWidth = std::max(2048, static_cast<int>(std::bit_ceil(width + 1u)));
+    rect_ = atlas.AddCustomRectRegular(width, (side_ + kGap) * rows);
 }
 
 void Previews::place(ImFontAtlas& atlas) {

@@ -71,5 +71,21 @@ TEST(Preview, GoesIntoTheFontAtlas) {
     ImGui::DestroyContext();
 }
 
+// Large tiles on a fine monitor are wider together than an atlas of few letters would be.
+TEST(Preview, HasRoomAtAnySize) {
+    for (const int side : {80, 90, 180, 400, 700}) {
+        ImGui::CreateContext();
+        ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
+        Previews previews;
+        previews.want({"implicit-sphere", "implicit-plane"}, side);
+        previews.reserve(atlas);
+        atlas.Build();
+        EXPECT_TRUE(atlas.GetCustomRectByIndex(atlas.CustomRects.Size - 1)->IsPacked()) << side;
+        EXPECT_TRUE(atlas.CustomRects[0].IsPacked()) << side;
+        previews.place(atlas);
+        ImGui::DestroyContext();
+    }
+}
+
 }  // namespace
 }  // namespace normalscope
