@@ -42,7 +42,7 @@ std::optional<std::filesystem::path> settings_folder() {
 }
 
 Settings load_settings() {
-    Settings settings;
+    Settings settings{.remembered = remembered_of("")};
     const auto file = settings_file();
     if (!file) return settings;
     try {
@@ -57,7 +57,7 @@ Settings load_settings() {
         if (const auto monitor = json.find("monitor"); monitor != json.end() && monitor->is_string())
             settings.monitor = monitor->get<std::string>();
     } catch (const std::exception&) {
-        return Settings{};
+        return {.remembered = remembered_of("")};
     }
     return settings;
 }

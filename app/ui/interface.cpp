@@ -1,23 +1,11 @@
 #include "ui/interface.h"
 
 #include "core/base/error.h"
-#include "core/lessons/tabs.h"
 #include "ui/help.h"
-#include "ui/kit/file_dialog.h"
-#include "ui/kit/messages.h"
+#include "ui/interface_state.h"
 #include "ui/kit/picture_labels.h"
-#include "ui/kit/question.h"
-#include "ui/kit/side_panel.h"
-#include "ui/lecture/lesson_letters.h"
 #include "ui/panel/drawer.h"
 #include "ui/panel/panel.h"
-#include "ui/panel/panel_memory.h"
-#include "ui/probe_trail.h"
-#include "ui/tabs/derivation_panel.h"
-#include "ui/tabs/error_tab.h"
-#include "ui/tabs/maps_tab.h"
-#include "ui/tabs/ray_tab.h"
-#include "ui/tabs/stack_tab.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,54 +13,7 @@
 
 namespace normalscope {
 
-struct Interface::State {
-    Look look;
-    ExtraLetters letters;
-    std::weak_ptr<const Lesson> lettered;  ///< whose letters have been asked for
-    PanelMemory panel;
-    DerivationPanel derivation;
-    FileDialog dialog;
-    QuestionBox question;
-    Messages messages;
-    SideMemory side;
-    StackTab stack;
-    ProbeTrail trail;
-    MapsTab maps;
-    ErrorTab error;
-    mutable Lecture lecture;  // which remembers what it has measured
-    bool captions = false;    ///< their fonts are in the atlas
-    bool panel_shown = true, help = false;
-    double wake = std::numeric_limits<double>::infinity();
-    double pointer_rested = 0.0;  ///< since when, by ImGui::GetTime
-    double popups_changed = -1e9, presented_until = -1e9;
-    bool popup = false;
-
-    void watch_the_clock();
-    /// A dialog is open, or will be in the next frame.
-    bool asks() const { return dialog.is_open() || question.is_open(); }
-    /// Presenting first; a lesson only when asked again, and later: a key that bounces ends no lecture.
-    void leave_one_thing(Scene& scene, Requests& requests);
-    std::vector<SideTab> tabs();
-    /// Not for a room; nor in an exercise, whose answer it would tell; nor where it and the tab that a lesson opens would
-    /// leave too little of the picture.
-    bool shows_panel(glm::ivec2 framebuffer) const;
-    /// The panel is a drawer below the picture, open or not.
-    bool has_drawer(glm::ivec2 framebuffer) const;
-    void want_letters_of_lesson();
-    /// How much of the framebuffer's width the open tab takes.
-    int side_width(int framebuffer) const;
-};
-
 namespace {
-
-constexpr double kPointerShown = 4.0;  // seconds, after it has come to rest
-constexpr double kLater = 1.0;         // seconds, after presenting
-constexpr std::size_t kDerivation = 0;
-static_assert(kTabs[kDerivation].name == "derivation");
-
-// In a window hardly wider than what stands beside the picture, that covers part of it rather than all.
-constexpr float kNarrowestPicture = 240.0f;  // beside panel and tab; else the panel makes room
-constexpr float kLeastPicture = 120.0f;      // beside a tab
 
 // What can be done to a scene without a product that overflows; the last stack is kept otherwise.
 void undo_overflow(Scene& scene, std::vector<StackEntry>& before, Messages& messages) {
@@ -86,87 +27,7 @@ void undo_overflow(Scene& scene, std::vector<StackEntry>& before, Messages& mess
 
 }  // namespace
 
-// The window draws only when something happens, but a tooltip comes some time after the pointer has come to rest, and
-// the ground of a dialog darkens step by step.
-void Interface::State::watch_the_clock() {
-    const ImGuiIO& io = ImGui::GetIO();
-    const double now = ImGui::GetTime();
-    if (io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f) pointer_rested = now;
-    const bool any_popup = asks();
-    if (any_popup != popup) popups_changed = now;
-    popup = any_popup;
-
-    wake = messages.redraw_after();
-    const double tooltips = ImGui::GetStyle().HoverDelayNormal + ImGui::GetStyle().HoverStationaryDelay + 0.1;
-    if (ImGui::IsAnyItemHovered() && now - pointer_rested < tooltips) wake = std::min(wake, 0.1);
-    if (lecture.presenting && now - pointer_rested < kPointerShown + 0.1)
-        wake = std::min(wake, std::max(pointer_rested + kPointerShown + 0.05 - now, 0.05));
-    if (now - popups_changed < 0.3) wake = std::min(wake, 1.0 / 30.0);
-    if (letters.pending()) wake = 0.0;
-    if (stack.player.playing || lecture.moving()) wake = 0.0;
-    wake = std::min(wake, panel.formula.redraw_after());
-    if (panel.gallery.previews.needs_room()) wake = 0.0;
-    if (panel.gallery.previews.busy()) wake = std::min(wake, 0.1);
-}
-
-void Interface::State::leave_one_thing(Scene& scene, Requests& requests) {
-    if (lecture.presenting) {
-        requests.end_presenting = true;
-        presented_until = ImGui::GetTime();
-    } else if (!lecture.player.running()) {
-        lecture.leave(scene);
-    } else if (ImGui::GetTime() - presented_until > kLater) {
-        question.ask(Asked::LeavingLesson, "Leave the lesson?", "The step stays, to be played with.",
-                     {"Leave", "Stay"});
-    }
-}
-
-std::vector<SideTab> Interface::State::tabs() {
-    const auto drawing = [this](std::string_view tab) -> decltype(SideTab::draw) {
-        if (tab == "stack")
-            return [this](Scene& scene, const SideContext& context) { draw_stack_tab(scene, stack, context); };
-        if (tab == "maps")
-            return [this](Scene& scene, const SideContext& context) { draw_maps_tab(scene, maps, context); };
-        if (tab == "error")
-            return [this](Scene& scene, const SideContext& context) { draw_error_tab(scene, error, context); };
-        if (tab == "ray") return draw_ray_tab;
-        return {};  // the derivation has a window of its own
-    };
-    std::vector<SideTab> tabs;
-    for (const Tab& tab : kTabs)
-        tabs.push_back(
-            {tab.name, tab.label, tab.about, drawing(tab.name), tab.name == "ray" ? draw_ray_head : nullptr});
-    return tabs;
-}
-
-bool Interface::State::shows_panel(glm::ivec2 framebuffer) const {
-    if (!panel_shown || lecture.presenting || lecture.exercises.running()) return false;
-    // Where both leave hardly a picture, the tab that was opened is what one wants to see; closing it is one press.
-    if (is_drawer(look, framebuffer)) return has_drawer(framebuffer);
-    const int beside = side_width(framebuffer.x);
-    return beside == 0 || framebuffer.x - static_cast<int>(look.px(kPanelWidth)) - beside >=
-                              static_cast<int>(look.px(kNarrowestPicture));
-}
-
-// Where words are below the picture, or another panel is over it, there is no room for it.
-bool Interface::State::has_drawer(glm::ivec2 framebuffer) const {
-    return is_drawer(look, framebuffer) && !lecture.talks() && !side.open;
-}
-
-// A lecturer may write in any script.
-void Interface::State::want_letters_of_lesson() {
-    if (!look.fonts.body || !lecture.player.running() || lettered.lock() == lecture.player.shared_lesson()) return;
-    const std::shared_ptr<const Lesson> lesson = lecture.player.shared_lesson();
-    lettered = lesson;
-    want_letters_of(*lesson, letters, look.fonts.body);
-}
-
-int Interface::State::side_width(int framebuffer) const {
-    if (!side.open || lecture.exercises.running()) return 0;
-    return std::min(static_cast<int>(look.px(side.open == kDerivation ? kDerivationWidth : kSideWidth)), framebuffer);
-}
-
-Interface::Interface() : state_{std::make_unique<State>()} {}
+Interface::Interface() : state_{std::make_unique<InterfaceState>()} {}
 Interface::~Interface() = default;
 Interface::Interface(Interface&&) noexcept = default;
 Interface& Interface::operator=(Interface&&) noexcept = default;
@@ -203,26 +64,20 @@ bool Interface::prepare(Theme theme, float scale) {
 void Interface::find_fonts_by(FindFonts find) { state_->letters.find_by(std::move(find)); }
 
 PixelRect Interface::picture(glm::ivec2 framebuffer) const {
-    const bool with_panel = state_->shows_panel(framebuffer);
-    if (state_->has_drawer(framebuffer))
-        return {{0, 0},
-                {framebuffer.x, std::max(framebuffer.y - drawer_height(state_->look, framebuffer, with_panel), 1)}};
-    const int panel = with_panel ? static_cast<int>(state_->look.px(kPanelWidth)) : 0;
-    // In a window hardly wider than the panels, they cover part of the picture rather than all of it.
-    const int left = framebuffer.x - panel >= panel / 4 ? panel : 0;
-    const int side = state_->side_width(framebuffer.x);
-    const int right = framebuffer.x - left - side >= static_cast<int>(state_->look.px(kLeastPicture)) ? side : 0;
-    const int width = std::max(framebuffer.x - left - right, 1);
-    const auto below = static_cast<int>(
-        state_->lecture.strip_height(state_->look, static_cast<float>(width), static_cast<float>(framebuffer.y)));
-    return {{left, 0}, {width, std::max(framebuffer.y - below, 1)}};
+    const Arrangement a = state_->arrangement(framebuffer);
+    PixelRect picture = a.picture;
+    if (!a.drawer)
+        picture.size.y -= static_cast<int>(state_->lecture.strip_height(
+            state_->look, static_cast<float>(picture.size.x), static_cast<float>(framebuffer.y)));
+    picture.size.y = std::max(picture.size.y, 1);
+    return picture;
 }
 
 void Interface::key_was_pressed() { state_->look.tips = false; }
 
 Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status) {
     Requests requests;
-    State& s = *state_;
+    InterfaceState& s = *state_;
     const ImGuiIO& io = ImGui::GetIO();
     if (io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f || ImGui::IsMouseDown(ImGuiMouseButton_Left))
         s.look.tips = true;
@@ -241,8 +96,10 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     if (const auto lesson = s.lecture.wanted_lesson()) requests.open = lesson;
     s.dialog.set_scene_file(status.has_file ? status.file : "");
     const glm::ivec2 framebuffer(io.DisplaySize.x, io.DisplaySize.y);
-    if (s.has_drawer(framebuffer) && drawer_handle(s.look, frame.rect, s.panel_shown)) s.panel_shown = !s.panel_shown;
-    if (s.shows_panel(framebuffer))
+    const Arrangement room = s.arrangement(framebuffer);
+    if (room.drawer && drawer_handle(s.look, frame.rect, s.panel_shown)) s.panel_shown = !s.panel_shown;
+    if (room.strip) s.draw_strip(scene, frame, status, requests);
+    if (room.panel)
         draw_panel(scene, s.panel,
                    {.look = s.look,
                     .frame = frame,
@@ -252,10 +109,12 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
                     .dialog = s.dialog,
                     .tabs = tabs,
                     .side = s.side,
-                    .help = s.help});
+                    .help = s.help,
+                    .unfolded = s.unfolded,
+                    .progress = s.lecture.progress});
     if (!s.lecture.exercises.running())
         draw_side_panel(scene, tabs, s.side, {.look = s.look, .frame = frame, .status = status},
-                        static_cast<float>(s.side_width(static_cast<int>(ImGui::GetIO().DisplaySize.x))));
+                        static_cast<float>(room.side));
     if (!ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive() && !s.asks() && !ImGui::GetIO().KeyMods &&
         ImGui::IsKeyPressed(ImGuiKey_D, false))
         show_derivation(!derivation_shown());
@@ -316,6 +175,10 @@ bool Interface::show_tab(std::string_view id) {
     return true;
 }
 bool Interface::typing_formula() const { return state_->panel.formula.typing(); }
+Unfolded& Interface::unfolded() { return state_->unfolded; }
+const Unfolded& Interface::unfolded() const { return state_->unfolded; }
+void Interface::play(Scene& scene) { toggle(state_->stack.player, scene); }
+void Interface::finish_playing(Scene& scene) { finish(state_->stack.player, scene); }
 bool Interface::playing() const { return state_->stack.player.playing || state_->lecture.moving(); }
 
 Lecture& Interface::lecture() { return state_->lecture; }

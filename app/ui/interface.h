@@ -7,6 +7,7 @@
 #include "core/math/highlight.h"
 #include "core/scene/scene.h"
 #include "ui/kit/requests.h"
+#include "ui/kit/unfolded.h"
 #include "ui/lecture/lecture.h"
 
 #include <filesystem>
@@ -17,6 +18,8 @@
 #include <vector>
 
 namespace normalscope {
+
+struct InterfaceState;
 
 /// Dear ImGui on a scene: the panel, the words on the picture, help, file dialogs and messages. Owns no ImGui context:
 /// one must be current, whose unit is the framebuffer's pixel. Knows neither GL nor the window.
@@ -69,6 +72,12 @@ public:
     /// While the stack or a lesson is being played the scene changes by itself: what it goes through is nothing to be
     /// undone.
     bool playing() const;
+    /// What the panel shows beyond a first look.
+    Unfolded& unfolded();
+    const Unfolded& unfolded() const;
+    /// The stack from nothing to whole.
+    void play(Scene& scene);
+    void finish_playing(Scene& scene);
     bool typing_formula() const;
     /// The pointer's tip goes, until it moves again.
     void key_was_pressed();
@@ -100,8 +109,7 @@ public:
     bool dialog_shown() const;
 
 private:
-    struct State;
-    std::unique_ptr<State> state_;
+    std::unique_ptr<InterfaceState> state_;
 };
 
 }  // namespace normalscope

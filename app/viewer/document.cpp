@@ -34,6 +34,12 @@ Document::Document(Scene first, const std::string& file)
 
 bool Document::unsaved() const { return is_unsaved(scene, *origin_); }
 
+bool Document::as_named() const {
+    const Scene& named = origin_->saved;
+    return scene.about != named.about ||
+           (scene.surface == named.surface && scene.stack == named.stack && scene.mistake == named.mistake);
+}
+
 std::vector<Work> Document::all_unsaved() const {
     std::vector<Work> works;
     std::set<const Origin*> seen;  // of each, only the last state counts

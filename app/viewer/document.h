@@ -37,6 +37,8 @@ public:
 
     const std::string& file() const { return origin_->file; }
     bool has_file() const { return origin_->is_the_users; }
+    /// Surface and map are those of which the scene's `about` speaks.
+    bool as_named() const;
     /// There is work that no file holds. How one looks at a scene is none where it has no file of its own.
     bool unsaved() const;
     /// All such work that an undo leads back to, also from before another scene was opened; the newest is the last.

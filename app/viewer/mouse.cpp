@@ -24,6 +24,7 @@ void Viewer::pointer_left() {
 
 void Viewer::press(int button, ImGuiKeyChord modifiers) {
     wake();
+    end_greeting();
     catch_up();
     gui_.button(button, true, modifiers);
     if (!frame_ || gui_.wants_mouse() || lecture().exercises.grab(*frame_, document_.scene, scale(), pointer_at_))

@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace normalscope {
 
@@ -11,6 +13,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostLessons = 200;
+
+constexpr std::array<std::pair<const char*, bool Unfolded::*>, 3> kUnfolded{
+    {{"rules", &Unfolded::rules}, {"matrix", &Unfolded::matrix}, {"tabs", &Unfolded::tabs}}};
 
 double factor(const Json& json, const char* key) {
     const auto it = json.find(key);
@@ -33,6 +38,8 @@ std::string remembered_text(const Remembered& remembered) {
     json["interface_scale"] = remembered.scale.interface;
     json["presenter_scale"] = remembered.scale.presenter;
     if (!remembered.motion) json["motion"] = false;
+    for (const auto& [name, part] : kUnfolded)
+        if (remembered.unfolded.*part) json["unfolded"].push_back(name);
     for (const auto& [lesson, step] : remembered.lessons) json["lessons"][lesson] = step;
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -40,7 +47,10 @@ std::string remembered_text(const Remembered& remembered) {
 Remembered remembered_of(std::string_view text) {
     Remembered remembered;
     const Json json = Json::parse(text, nullptr, false);
-    if (!json.is_object()) return remembered;
+    remembered.first = !json.is_object();
+    if (remembered.first) return remembered;
+    if (const auto parts = json.find("unfolded"); parts != json.end() && parts->is_array())
+        for (const auto& [name, part] : kUnfolded) remembered.unfolded.*part = std::ranges::count(*parts, name) > 0;
     remembered.scale.interface = factor(json, "interface_scale");
     remembered.scale.presenter = factor(json, "presenter_scale");
     remembered.lessons = steps(json);

@@ -2,6 +2,7 @@
 
 #include "core/frame/display_scale.h"
 #include "core/lessons/unsaved_work.h"
+#include "ui/kit/unfolded.h"
 
 #include <cstddef>
 #include <map>
@@ -15,6 +16,8 @@ namespace normalscope {
 struct Remembered {
     DisplayScale scale;
     std::map<std::string, std::size_t> lessons;  ///< the step at which each was left
+    Unfolded unfolded;                           ///< of the panel
+    bool first = false;                          ///< nobody has been here before
     bool motion = true;                          ///< false: what would move by itself is at its end at once
     std::vector<UnsavedWork> unsaved{};          ///< where it ended before that was saved
 };

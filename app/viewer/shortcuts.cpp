@@ -21,6 +21,7 @@ bool leaves_a_field(ImGuiKey key) {
 
 void Viewer::press(const KeyPress& key) {
     wake();
+    end_greeting();
     if (!key.repeated) catch_up();
     gui_.interface.key_was_pressed();
     pointer_.end_scrolling();

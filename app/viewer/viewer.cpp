@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace normalscope {
 
@@ -36,11 +37,21 @@ Viewer::Viewer(Host& host, Opened first, Remembered remembered)
     else
         surfaces_ = std::move(first.surfaces);
     show_title();
+    gui_.interface.unfolded() = remembered.unfolded;
     offered_ = std::move(remembered.unsaved);
+    if (remembered.first && motion_ && (document_.file().empty() || document_.file() == kDefaultScene) &&
+        !exercising() && !lecture().player.running())
+        greeting_ = true, gui_.interface.play(document_.scene);
     if (!offered_.empty()) offer();
 }
 
-Remembered Viewer::remembered() const { return {.scale = scale_, .lessons = lecture().progress, .motion = motion_}; }
+Remembered Viewer::remembered() const {
+    return {.scale = scale_,
+            .lessons = lecture().progress,
+            .unfolded = gui_.interface.unfolded(),
+            .first = false,
+            .motion = motion_};
+}
 
 Scene Viewer::shown_scene() const {
     Scene scene = document_.scene;
@@ -71,6 +82,10 @@ std::optional<WorldBall> Viewer::surface_ball() const {
 }
 
 void Viewer::wake() { frames_wanted_ = kFramesAfterEvent; }
+
+void Viewer::end_greeting() {
+    if (std::exchange(greeting_, false)) gui_.interface.finish_playing(document_.scene);
+}
 
 double Viewer::due() const {
     if (frames_wanted_ > 0 || swing_ || carrying_since_) return 0.0;
@@ -147,9 +162,9 @@ Requests Viewer::lay_out() {
     const bool was_exercising = exercising(), was_in_lesson = in_lesson();
     const std::optional<ErrorStatistics>& errors = errors_.get(document_.scene, frame_->surface);
     gui_.layout(shown_scene().theme, scale(), [&] {
-        requests = gui_.interface.draw(
-            document_.scene, *frame_,
-            {document_.can_undo(), document_.can_redo(), errors, document_.file(), document_.has_file(), true});
+        requests = gui_.interface.draw(document_.scene, *frame_,
+                                       {document_.can_undo(), document_.can_redo(), errors, document_.file(),
+                                        document_.has_file(), true, document_.as_named()});
     });
     laid_out_at_ = host_.now();
     if (was_exercising && !exercising()) document_.set_origin(origin_before_exercises_);

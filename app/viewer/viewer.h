@@ -81,6 +81,7 @@ private:
     /// What is seen is a lesson's step, or comes from one.
     bool in_lesson() const { return lecture().player.running() && document_.file() == lecture().player.lesson().name; }
     void wake();
+    void end_greeting();
     /// When the interface wants to be drawn again though nothing happens, by the host's clock.
     double wake_at() const { return laid_out_at_ + gui_.interface.redraw_after(); }
 
@@ -156,7 +157,8 @@ private:
     FlatCutCache flat_cut_;
     ErrorsCache errors_;
 
-    bool motion_ = true;  ///< nothing moves by itself where it is unwanted
+    bool motion_ = true;     ///< nothing moves by itself where it is unwanted
+    bool greeting_ = false;  ///< the stack is played at the very first start, until anything is pressed
     std::optional<Swing> swing_;
     std::optional<DerivationAt> line_;      ///< of the derivation, as of the last round
     std::optional<double> carrying_since_;  ///< its arrows are on their way, by the host's clock

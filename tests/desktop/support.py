@@ -16,6 +16,7 @@ NORMALSCOPE = pathlib.Path(os.environ.get("NORMALSCOPE", "build/normalscope")).r
 PATIENCE = 60.0  # seconds until a test gives up; nothing takes as long but on a machine that is very busy
 
 PANEL = 388  # the panel's width
+STRIP = 56  # the height of the sentence above a wide picture
 SIZE = (640, 460)  # smaller than the program's own, so that frames take little time
 # A scene that is quickly drawn, for tests to which that makes no difference.
 LIGHT = [word for setting in ("surface.resolution=24", "view=single", "arrows.limit=12", "show.grid=false", "show.ghost=false")

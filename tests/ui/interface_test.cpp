@@ -157,7 +157,7 @@ TEST_F(InterfaceTest, PlaysTheStackOnceAndEndsWithAllOfIt) {
         EXPECT_LT(now - last, 0.05);
         last = now;
     }
-    EXPECT_NEAR(frames / 60.0, 2 * 1.2, 0.1);
+    EXPECT_NEAR(frames / 60.0, 2 * 1.6, 0.1);
     EXPECT_EQ(scene_, before);
     for (int i = 0; i < 60; ++i) step();
     EXPECT_TRUE(std::isinf(interface_.redraw_after()));

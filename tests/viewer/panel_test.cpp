@@ -102,6 +102,7 @@ TEST_F(PanelTest, LockedFactorsKeepTheirProportions) {
 TEST_F(PanelTest, ButtonsChooseTheRule) {
     start();
     Scene before = scene();
+    click(Item("##panel/##always") / "##rules");  // the cofactor is behind it
     for (const auto& [label, chosen] : std::vector<std::pair<const char*, Rule>>{
              {"naive", Rule::Naive}, {"cofactor", Rule::Cofactor}, {"inverse transpose", Rule::InverseTranspose}}) {
         click(rule(label));
@@ -186,6 +187,7 @@ TEST_F(PanelTest, ArrowKeysStepTheRayWhoseStepperStandsStill) {
     ray.ray = AimedRay{.from = Point<World>{{-1.2, 1.2, 0.6}}, .toward = Point<World>{{0, 0.2, 0.4}}, .step = 0};
     host_.size = {1280, 600};
     start(ray);
+    click(tab("##tabs"));
     click(tab("Ray"));
     const glm::dvec2 at = middle(Item("##side/##head") / "##next");
     for (int i = 1; i <= AimedRay::kLastStep + 1; ++i) {

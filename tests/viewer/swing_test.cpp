@@ -11,7 +11,7 @@ protected:
     /// Along the slider, from 0, M n, to 1, (M⁻¹)ᵀ n.
     glm::dvec2 on_slider(double share) {
         const glm::dvec2 at = middle(slider());
-        return at + glm::dvec2((share - 0.5) * 250.0, 0.0);
+        return at + glm::dvec2((share - 0.5) * 340.0, 0.0);
     }
     /// How far the arrow at the probe is off, as drawn last.
     double off(Rule rule) const {

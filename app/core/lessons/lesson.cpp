@@ -175,7 +175,7 @@ const std::vector<BuiltInLesson>& built_in_lessons() {
             const std::string name(file.substr(kLessonFolder.size(), file.size() - kLessonFolder.size() - 5));
             // Only the head: checking every scene of every lesson is for whoever opens one.
             const Json head = Json::parse(*embedded::file(file), nullptr, false);
-            list.push_back({name, head.value("lesson", name), head.value("about", "")});
+            list.push_back({name, head.value("lesson", name), head.value("about", ""), head["steps"].size()});
         }
         std::ranges::sort(list, {}, &BuiltInLesson::name);
         return list;

@@ -59,6 +59,7 @@ Lesson lesson_of_json(const nlohmann::ordered_json& json, const LessonSource& so
 
 struct BuiltInLesson {
     std::string name, title, about;
+    std::size_t steps = 0;
 };
 /// Those in assets/lessons, in their order.
 const std::vector<BuiltInLesson>& built_in_lessons();

@@ -9,7 +9,7 @@ namespace normalscope {
 
 namespace {
 
-std::string degrees(double angle) { return with_decimals(angle, 3) + "°"; }
+std::string degrees(double angle) { return with_decimals(angle, 1) + "°"; }
 
 std::string about(const NormalMatrices& m) {
     if (m.rank == 2)
@@ -22,14 +22,14 @@ std::string about(const NormalMatrices& m) {
 
 }  // namespace
 
+std::string said_of_m(const Scene& scene) {
+    const Transform<World, Object> m = world_from_object(scene);
+    return m.affine() ? about(m.normal_matrices_by_rule())
+                      : "M is not affine: normals go with their tangent planes, and no 3×3 rule is right.";
+}
+
 SceneSaid said_of(const Scene& scene) {
-    const Transform<World, Object> transform = world_from_object(scene);
-    const NormalMatrices& m = transform.normal_matrices_by_rule();
-    const std::string of_m = transform.affine()
-                                 ? about(m)
-                                 : "M is not affine: normals go with their tangent planes, and no 3×3 rule "
-                                   "is right.";
-    SceneSaid said{scene.about.empty() ? of_m : scene.about, {}};
+    SceneSaid said{scene.about.empty() ? said_of_m(scene) : scene.about, {}};
     switch (scene.rule) {
         case Rule::Naive: said.equations.push_back("n_naive = " + normal_formula(Rule::Naive, scene)); break;
         case Rule::InverseTranspose: said.equations.emplace_back("n_world = (M₃⁻¹)ᵀ n_obj"); break;

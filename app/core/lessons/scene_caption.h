@@ -13,5 +13,7 @@ struct SceneSaid {
     std::vector<std::string> equations;
 };
 SceneSaid said_of(const Scene& scene);
+/// What its M does to normals by the naive rule, in a sentence.
+std::string said_of_m(const Scene& scene);
 
 }  // namespace normalscope

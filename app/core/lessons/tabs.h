@@ -15,13 +15,14 @@ struct Tab {
     std::string_view name;
     const char* label;
     const char* about;
+    bool at_first;  ///< in the panel's row; the others come by a press
 };
 inline constexpr std::array<Tab, 5> kTabs{
-    {{"derivation", "Derivation", "Why the inverse transpose? Line by line, with the scene's numbers. (D)"},
-     {"stack", "Stack", "The transforms one by one: their inverses, their products, and the wrong orders."},
-     {"maps", "Maps", "The classes of maps, and what each does to normals."},
-     {"error", "Error", "How far off the naive rule is: over the surface, and against the stretch."},
-     {"ray", "Ray", "What a ray tracer does with one ray, step by step."}}};
+    {{"derivation", "Derivation", "Why the inverse transpose? Line by line, with the scene's numbers. (D)", true},
+     {"stack", "Stack", "The transforms one by one: their inverses, their products, and the wrong orders.", true},
+     {"maps", "Maps", "The classes of maps, and what each does to normals.", false},
+     {"error", "Error", "How far off the naive rule is: over the surface, and against the stretch.", true},
+     {"ray", "Ray", "What a ray tracer does with one ray, step by step.", false}}};
 
 inline std::vector<std::string> tab_names() {
     std::vector<std::string> names;

@@ -34,7 +34,10 @@ double framing_zoom(const Scene& scene, const Surface& surface) {
 }
 
 Scene with_zoom(Scene scene, const Surface& surface) {
-    if (!scene.camera.zoom) scene.camera.zoom = framing_zoom(scene, surface);
+    if (scene.camera.zoom) return scene;
+    Scene whole = scene;
+    whole.stack_position.reset();  // while the stack is played, the camera waits for what comes of it
+    scene.camera.zoom = framing_zoom(whole, surface);
     return scene;
 }
 

@@ -61,14 +61,6 @@ void lock(Pen& pen, bool closed) {
     if (closed) pen.line(0.36f, -0.35f, 0.36f, -0.05f);
 }
 
-void sun(Pen& pen) {
-    pen.circle(0, 0, 0.38f);
-    for (int i = 0; i < 8; ++i) {
-        const float c = std::cos(static_cast<float>(i) * kPi / 4), s = std::sin(static_cast<float>(i) * kPi / 4);
-        pen.line(0.62f * c, 0.62f * s, 0.88f * c, 0.88f * s);
-    }
-}
-
 }  // namespace
 
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 color) {
@@ -98,12 +90,6 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 col
                 std::array{ImVec2(-0.35f, -0.75f), ImVec2(-0.35f, -0.3f), ImVec2(0.3f, -0.3f), ImVec2(0.3f, -0.75f)});
             pen.path(std::array{ImVec2(-0.4f, 0.75f), ImVec2(-0.4f, 0.15f), ImVec2(0.4f, 0.15f), ImVec2(0.4f, 0.75f)});
             break;
-        case Icon::Picture:
-            pen.box(-0.9f, -0.7f, 0.9f, 0.7f);
-            pen.circle(-0.4f, -0.25f, 0.16f);
-            pen.path(std::array{ImVec2(-0.85f, 0.5f), ImVec2(-0.35f, 0.1f), ImVec2(-0.05f, 0.35f), ImVec2(0.4f, -0.15f),
-                                ImVec2(0.85f, 0.3f)});
-            break;
         case Icon::Undo: turn(pen, 1.0f); break;
         case Icon::Redo: turn(pen, -1.0f); break;
         case Icon::Help:
@@ -111,11 +97,6 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 col
             pen.arc(0, -0.22f, 0.3f, -kPi, kPi * 0.35f);
             pen.line(0.13f, 0.04f, 0, 0.26f);
             pen.dot(0, 0.52f, 0.09f);
-            break;
-        case Icon::Sun: sun(pen); break;
-        case Icon::Moon:
-            pen.arc(0.0f, 0.0f, 0.8f, 0.05f, 1.45f * kPi);
-            pen.arc(0.42f, -0.42f, 0.58f, 0.30f * kPi, 1.2f * kPi);
             break;
         case Icon::Up: pen.path(std::array{ImVec2(-0.5f, 0.25f), ImVec2(0, -0.3f), ImVec2(0.5f, 0.25f)}); break;
         case Icon::Down: pen.path(std::array{ImVec2(-0.5f, -0.25f), ImVec2(0, 0.3f), ImVec2(0.5f, -0.25f)}); break;
@@ -158,6 +139,9 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 centre, float side, ImU32 col
             pen.circle(0.55f, 0.55f, 0.24f);
             pen.line(-0.33f, -0.11f, 0.33f, -0.44f);
             pen.line(-0.33f, 0.11f, 0.33f, 0.44f);
+            break;
+        case Icon::More:
+            for (const float x : {-0.6f, 0.0f, 0.6f}) pen.dot(x, 0.0f, 0.15f);
             break;
         case Icon::Next:
             pen.path(std::array{ImVec2(-0.45f, -0.55f), ImVec2(0.2f, 0), ImVec2(-0.45f, 0.55f)});

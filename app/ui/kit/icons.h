@@ -9,12 +9,9 @@ namespace normalscope {
 enum class Icon {
     Open,
     Save,
-    Picture,
     Undo,
     Redo,
     Help,
-    Sun,
-    Moon,
     Up,
     Down,
     Left,
@@ -31,7 +28,8 @@ enum class Icon {
     Pause,
     Previous,
     Next,
-    Share
+    Share,
+    More
 };
 
 /// Draws an icon into the square of this side about `centre`, in lines of one weight.

@@ -41,6 +41,7 @@ struct Status {
     std::string file;       ///< the open scene's file or name; empty if none
     bool has_file = false;  ///< which is the user's, and can be saved to
     bool by_hand = false;   ///< a user's hand changes the scene, and no command does
+    bool as_named = true;   ///< surface and map are still those of which the scene's `about` speaks
 };
 
 }  // namespace normalscope

@@ -10,23 +10,31 @@ namespace normalscope {
 
 namespace {
 
-// Buttons as wide as their words want, the open tab's marked below. Where `closes`, pressing that one again closes it.
-void tab_row(const Look& look, std::span<const SideTab> tabs, SideMemory& memory, float width, bool closes) {
+struct Row {
+    std::vector<std::size_t> tabs;  ///< those that stand in it
+    float width = 0.0f;
+    bool again_closes = false;  ///< pressing the open one
+};
+
+// Buttons as wide as their words want, the open tab's marked below.
+void tab_row(const Look& look, std::span<const SideTab> tabs, SideMemory& memory, const Row& row) {
     std::vector<float> widths;
     float words = 0.0f;
-    for (const SideTab& tab : tabs) {
+    for (const std::size_t i : row.tabs) {
         const ImFont* font = look.fonts.strong;
-        widths.push_back(font->CalcTextSizeA(font->FontSize, 1e9f, 0, tab.label).x);
+        widths.push_back(font->CalcTextSizeA(font->FontSize, 1e9f, 0, tabs[i].label).x);
         words += widths.back();
     }
-    const float room = std::max(0.0f, width - words) / static_cast<float>(std::max<std::size_t>(tabs.size(), 1));
+    const float room =
+        std::max(0.0f, row.width - words) / static_cast<float>(std::max<std::size_t>(row.tabs.size(), 1));
     float left = ImGui::GetCursorPosX();
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, ImGui::GetStyle().FramePadding.y));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
-    for (std::size_t i = 0; i < tabs.size(); ++i) {
-        const float each = std::floor(widths[i] + room);
-        if (i > 0) ImGui::SameLine(left);
+    for (std::size_t k = 0; k < row.tabs.size(); ++k) {
+        const std::size_t i = row.tabs[k];
+        const float each = std::floor(widths[k] + room);
+        if (k > 0) ImGui::SameLine(left);
         left += each;
         const bool open = memory.open == i;
         ImGui::PushStyleColor(ImGuiCol_Text, open ? look.text : look.dim);
@@ -41,7 +49,7 @@ void tab_row(const Look& look, std::span<const SideTab> tabs, SideMemory& memory
                                packed(look.accent), look.px(1));
         tip(look, tabs[i].about);
         if (!pressed) continue;
-        if (open && closes)
+        if (open && row.again_closes)
             memory.open.reset();
         else
             memory.open = i;
@@ -52,8 +60,19 @@ void tab_row(const Look& look, std::span<const SideTab> tabs, SideMemory& memory
 
 }  // namespace
 
-void side_buttons(const Look& look, std::span<const SideTab> tabs, SideMemory& memory) {
-    tab_row(look, tabs, memory, ImGui::GetContentRegionAvail().x + look.px(2), true);
+void side_buttons(const Look& look, std::span<const SideTab> tabs, SideMemory& memory, bool& all) {
+    constexpr float kMore = 28.0f;
+    Row row{.width = ImGui::GetContentRegionAvail().x - look.px(kMore), .again_closes = true};
+    for (std::size_t i = 0; i < tabs.size(); ++i)
+        if (all || tabs[i].at_first || memory.open == i) row.tabs.push_back(i);
+    tab_row(look, tabs, memory, row);
+    ImGui::SameLine(0, 0);
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - look.px(kMore));
+    if (icon_button(look, "##tabs",
+                    {.icon = all ? Icon::Left : Icon::More,
+                     .about = all ? "Fewer tabs." : "More: classes of maps, and what a ray tracer does.",
+                     .side = kMore}))
+        all = !all;
 }
 
 void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& memory, const SideContext& context,
@@ -69,7 +88,9 @@ void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& me
 
     const float close = look.px(30), margin = look.px(16);
     ImGui::SetCursorPos({margin, look.px(8)});
-    tab_row(look, tabs, memory, width - margin - close - look.px(10), false);
+    Row row{.width = width - margin - close - look.px(10)};
+    for (std::size_t i = 0; i < tabs.size(); ++i) row.tabs.push_back(i);
+    tab_row(look, tabs, memory, row);
     ImGui::SameLine(width - close - look.px(8));
     const bool closed =
         icon_button(look, "##close", {.icon = Icon::Close, .about = "Close: the picture has the room again."});

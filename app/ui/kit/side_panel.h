@@ -26,6 +26,7 @@ struct SideTab {
     std::string_view id;  ///< for Interface::show_tab
     const char* label;
     const char* about;
+    bool at_first;  ///< it stands in the left panel's row before all are asked for
     std::function<void(Scene&, const SideContext&)> draw;    ///< empty: it has a window of its own, below the tabs
     std::function<void(Scene&, const SideContext&)> head{};  ///< above the column, and stands still
 };
@@ -39,7 +40,8 @@ inline constexpr float kSideWidth = 460.0f;
 inline constexpr float kTabsHeight = 44.0f;  ///< of the row of tabs above
 
 /// The tabs in one row, for the panel at the left: one press opens a tab, another gives the room back to the picture.
-void side_buttons(const Look& look, std::span<const SideTab> tabs, SideMemory& memory);
+/// Those that a first look can do without are there where `all` is set, by a press of its own.
+void side_buttons(const Look& look, std::span<const SideTab> tabs, SideMemory& memory, bool& all);
 
 /// The open tab, at the right, as high as the window. `width` in physical pixels.
 void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& memory, const SideContext& context,

@@ -54,8 +54,15 @@ void GalleryMemory::toggle() {
     if (open) place.emplace();
 }
 
+void GalleryMemory::show() {
+    open = wanted = true;
+    place.reset();
+}
+
 void gallery(Scene& scene, GalleryMemory& memory, const PanelContext& context) {
     if (!memory.open) return;
+    if (memory.wanted) ImGui::SetScrollHereY(0.05f);
+    memory.wanted = false;
     const Look& look = context.look;
     const float at = ImGui::GetCursorScreenPos().y - ImGui::GetWindowPos().y;
     keep_in_place(memory, at, context.status.file);

@@ -28,6 +28,9 @@ struct GalleryMemory {
     bool only_surface = false;  ///< a choice changes the surface and nothing else
 
     void toggle();
+    /// Open, and in sight.
+    void show();
+    bool wanted = false;  ///< to be scrolled to
     std::optional<GalleryPlace> place;
 };
 

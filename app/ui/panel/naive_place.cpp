@@ -113,6 +113,7 @@ void naive_place(Scene& scene, const PanelContext& context) {
     const MistakeText chosen = text(scene.mistake);
     const float width = ImGui::GetContentRegionAvail().x;
     if (scene.mistake == Mistake::Naive) {
+        if (!context.unfolded.rules) return power_slider(look, scene, width);
         const char* const label = "mistakes";
         const float gap = look.px(6), button = ImGui::CalcTextSize(label).x + look.px(18);
         power_slider(look, scene, width - gap - button);

@@ -4,8 +4,12 @@
 #include "ui/kit/requests.h"
 #include "ui/kit/side_panel.h"
 #include "ui/kit/style.h"
+#include "ui/kit/unfolded.h"
 
+#include <cstddef>
+#include <map>
 #include <span>
+#include <string>
 
 namespace normalscope {
 
@@ -20,6 +24,8 @@ struct PanelContext {
     std::span<const SideTab> tabs;  ///< of the panel at the right
     SideMemory& side;
     bool& help;
+    Unfolded& unfolded;
+    const std::map<std::string, std::size_t>& progress;  ///< the step at which each lesson was left
 };
 
 /// Logical pixels.

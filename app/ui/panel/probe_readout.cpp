@@ -68,7 +68,7 @@ void coordinates(const Look& look, const Columns& c, const char* what, const ImV
     tip(look, about);
 }
 
-void where_and_whither(const Look& look, const ProbeInWorld& probe, const Scene& scene) {
+void where_and_whither(const Look& look, const ProbeInWorld& probe, const Scene& scene, std::size_t rules) {
     const Columns c = columns(look.px(88), 4);
     static constexpr std::array<std::string_view, 4> kWords{"x", "y", "z", "length"};
     heading(look, c, "", kWords);
@@ -83,7 +83,7 @@ void where_and_whither(const Look& look, const ProbeInWorld& probe, const Scene&
         "(M⁻¹)ᵀ n, as it comes, before it is normalised. A dot product for shading needs it at length 1.",
         "cof(M) n = det(M) (M⁻¹)ᵀ n, as it comes. Its length is the factor by which M changes the surface's area "
         "here."};
-    for (std::size_t i = 0; i < kRules.size(); ++i) {
+    for (std::size_t i = 0; i < rules; ++i) {
         const std::string what = normal_formula(kRules[i], scene);
         std::optional<glm::dvec3> n;
         if (probe.normals[i]) n = probe.normals[i]->xyz;
@@ -102,7 +102,7 @@ void dot_cell(const Look& look, double dot, double lengths, float right) {
     ImGui::PopStyleColor();
 }
 
-void dots(const Look& look, const ProbeInWorld& probe, const Scene& scene) {
+void dots(const Look& look, const ProbeInWorld& probe, const Scene& scene, std::size_t rules) {
     const Columns c = columns(look.px(88), 3);
     static constexpr std::array<std::string_view, 3> kWords{"n · t₁", "n · t₂", "off by"};
     heading(look, c, "still ⊥ ?", kWords);
@@ -112,7 +112,7 @@ void dots(const Look& look, const ProbeInWorld& probe, const Scene& scene) {
     if (!probe.affine) ImGui::TextColored(look.bad, "M is not affine: no 3×3 rule is right");
     if (about_tangents(scene.mistake) && scene.rule == Rule::Naive)
         ImGui::TextColored(look.bad, "the tangents are wrong here, not n");
-    for (std::size_t i = 0; i < kRules.size(); ++i) {
+    for (std::size_t i = 0; i < rules; ++i) {
         ImGui::BeginGroup();
         ImGui::SetCursorPosX(c.left);
         ImGui::TextColored(look.readable(kRules[i]), "%s", normal_formula(kRules[i], scene).c_str());
@@ -254,9 +254,10 @@ void probe_section(Scene& scene, PanelMemory& memory, const PanelContext& contex
             gradient_readout(look, context.frame, memory.at_probe);
             ImGui::Dummy({0, look.px(4)});
         }
-        where_and_whither(look, *probe, scene);
+        const std::size_t rules = kRules.size() - (cofactor_in_sight(scene, context) ? 0 : 1);
+        where_and_whither(look, *probe, scene, rules);
         ImGui::Dummy({0, look.px(4)});
-        dots(look, *probe, scene);
+        dots(look, *probe, scene, rules);
         pinned_rows(look, context.frame, scene);
     } else {
         dim_text(look, "This surface has no point to look at.");

@@ -6,6 +6,7 @@
 #include "core/scene/scene_fields.h"
 #include "ui/kit/widgets.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -18,6 +19,7 @@ struct RuleButton {
     Rule rule;
     const char *label, *key, *about;
 };
+// The last is behind a press.
 constexpr std::array<RuleButton, 3> kButtons{{
     {Rule::Naive, "naive", "N",
      "M n: the normal treated as if it were a vector. Right for rigid maps, and up to length for uniform scales and "
@@ -83,7 +85,7 @@ void button(const Look& look, const Scene& scene, const RuleButton& b, bool exis
     centred(fitting(look, mathematics, size.x - look.px(12)), low.y + look.px(18) + look.fonts.title->FontSize / 2, ink,
             mathematics);
     ImGui::PushFont(look.fonts.small);
-    const std::string whole_label = shortened(std::string(label), size.x - look.px(4));
+    const std::string whole_label = shortened(std::string(label), size.x - look.px(2));
     ImGui::PopFont();
     centred(look.fonts.small, low.y + look.px(44) + look.fonts.small->FontSize / 2, chosen ? look.text : look.dim,
             whole_label);
@@ -100,18 +102,40 @@ void button(const Look& look, const Scene& scene, const RuleButton& b, bool exis
                   : about.c_str());
 }
 
+bool has_inverse(const Frame& frame) {
+    return !frame.probe || !frame.probe->object.has_normal() || frame.probe->normals[Rule::InverseTranspose];
+}
+
 }  // namespace
+
+bool cofactor_in_sight(const Scene& scene, const PanelContext& context) {
+    const bool spoken_of = scene.rule == Rule::Cofactor ||
+                           (scene.arrows.show && std::ranges::count(*scene.arrows.show, ArrowKind::Cofactor) > 0);
+    return context.unfolded.rules || spoken_of || !has_inverse(context.frame);
+}
 
 void rule_buttons(const Scene& scene, const PanelContext& context) {
     const Look& look = context.look;
-    const bool invertible = !context.frame.probe || !context.frame.probe->object.has_normal() ||
-                            context.frame.probe->normals[Rule::InverseTranspose];
-    const float gap = look.px(6), width = std::floor((ImGui::GetContentRegionAvail().x - 2 * gap) / 3);
-    for (std::size_t i = 0; i < kButtons.size(); ++i) {
+    const bool invertible = has_inverse(context.frame);
+    const std::size_t count = cofactor_in_sight(scene, context) ? kButtons.size() : kButtons.size() - 1;
+    constexpr float kMore = 18.0f, kHeight = 66.0f;
+    const float gap = look.px(4), more = look.px(kMore) + look.px(2);
+    const float width = std::floor((ImGui::GetContentRegionAvail().x - more - static_cast<float>(count - 1) * gap) /
+                                   static_cast<float>(count));
+    for (std::size_t i = 0; i < count; ++i) {
         if (i > 0) ImGui::SameLine(0, gap);
-        button(look, scene, kButtons[i], kButtons[i].rule != Rule::InverseTranspose || invertible, {width, look.px(66)},
-               context.requests);
+        button(look, scene, kButtons[i], kButtons[i].rule != Rule::InverseTranspose || invertible,
+               {width, look.px(kHeight)}, context.requests);
     }
+    ImGui::SameLine(0, look.px(2));
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (look.px(kHeight) - look.px(kMore)) / 2);
+    bool& unfolded = context.unfolded.rules;
+    if (icon_button(look, "##rules",
+                    {.icon = unfolded ? Icon::Left : Icon::More,
+                     .about = unfolded ? "Fewer: the two rules that matter most."
+                                       : "More: the cofactor matrix, and the mistakes that programs make.",
+                     .side = kMore}))
+        unfolded = !unfolded;
 }
 
 void view_buttons(Scene& scene, const PanelContext& context) {

@@ -202,13 +202,33 @@ void notice(const Look& look, const std::string& text) {
     ImGui::Dummy({width, 0});
 }
 
-void what_m_is(const Look& look, const Scene& scene) {
+// A quiet line that opens and closes what follows.
+void fold(const Look& look, const char* title, bool& open) {
+    ImGui::PushFont(look.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float height = look.px(20);
+    ImGui::PushID(title);
+    if (ImGui::Button("##fold", {ImGui::GetContentRegionAvail().x, height})) open = !open;
+    ImGui::PopID();
+    ImGui::PopStyleColor();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_icon(list, open ? Icon::Down : Icon::Right, {low.x + look.px(6), low.y + height / 2}, look.px(10),
+              packed(look.dim));
+    list.AddText({low.x + look.px(18), std::round(low.y + (height - ImGui::GetFontSize()) / 2)}, packed(look.dim),
+                 title);
+    ImGui::PopFont();
+}
+
+void what_m_is(const Look& look, const Scene& scene, bool& entries) {
     Transform<World, Object> m;
     try {
         m = world_from_object(scene);
     } catch (const InputError& error) {
         return notice(look, error.what());
     }
+    fold(look, "The matrix M", entries);
+    if (!entries) return;
     const NormalMatrices& normals = m.normal_matrices_by_rule();
     ImGui::PushFont(look.fonts.small);
     const ImVec2 from = ImGui::GetCursorScreenPos();
@@ -264,11 +284,11 @@ void what_follows(const Look& look, const Scene& scene) {
 
 }  // namespace
 
-void stack_section(const Look& look, Scene& scene, StackMemory& memory) {
+void stack_section(const Look& look, Scene& scene, StackMemory& memory, bool& entries_of_m) {
     const bool open = section(look, "Transform");
     buttons(look, scene, memory);
     if (!open) return;
-    what_m_is(look, scene);
+    what_m_is(look, scene, entries_of_m);
 
     // Undo or another scene may have changed the stack.
     memory.folded.resize(scene.stack.size(), scene.stack.size() > kFewEntries);

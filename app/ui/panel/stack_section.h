@@ -18,7 +18,8 @@ struct StackMemory {
 };
 
 /// The transforms in the order in which they act, and what M comes to.
-void stack_section(const Look& look, Scene& scene, StackMemory& memory);
+/// `entries_of_m`: whether its matrix is unfolded.
+void stack_section(const Look& look, Scene& scene, StackMemory& memory, bool& entries_of_m);
 
 /// The sliders of one entry, as wide as given. The scene stays valid: every number finite, no axis of length zero.
 void edit_entry(const Look& look, StackEntry& entry, float width, StackMemory& memory);

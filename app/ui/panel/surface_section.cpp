@@ -94,7 +94,7 @@ void wrapped_line(std::string_view text) {
 
 void surface_section(Scene& scene, PanelMemory& memory, const PanelContext& context) {
     const Look& look = context.look;
-    if (memory.formula.focus) ImGui::GetStateStorage()->SetBool(ImGui::GetID("Surface"), true);
+    if (memory.formula.focus || memory.gallery.wanted) ImGui::GetStateStorage()->SetBool(ImGui::GetID("Surface"), true);
     if (!section(look, "Surface")) return;
     shape_picker(scene, memory, context);
     gallery(scene, memory.gallery, context);

@@ -11,7 +11,7 @@ namespace normalscope {
 
 namespace {
 
-constexpr double kSecondsAnEntry = 1.2;
+constexpr double kSecondsAnEntry = 1.6;
 
 // What acts in full is as if nothing had been set, so that an entry that is added later acts, too.
 void set_position(Scene& scene, double position) {
@@ -42,6 +42,21 @@ std::string said(const Scene& scene, double position) {
 
 }  // namespace
 
+void toggle(StackPlayer& player, Scene& scene) {
+    player.playing = !player.playing && !scene.stack.empty();
+    if (!player.playing) return;
+    const auto count = static_cast<double>(scene.stack.size());
+    const double position = scene.stack_position.value_or(count);
+    player.time = position >= count ? 0.0 : position;
+    player.position = eased(player.time);
+    set_position(scene, player.position);
+}
+
+void finish(StackPlayer& player, Scene& scene) {
+    if (player.playing) scene.stack_position.reset();
+    player.playing = false;
+}
+
 void advance(StackPlayer& player, Scene& scene) {
     if (!player.playing) return;
     const auto count = static_cast<double>(scene.stack.size());
@@ -63,14 +78,8 @@ void player_controls(const Look& look, Scene& scene, StackPlayer& player) {
     if (icon_button(look, "##play",
                     {.icon = player.playing ? Icon::Pause : Icon::Play,
                      .about = player.playing ? "Stop here." : "Let the entries act one after the other.",
-                     .enabled = any})) {
-        player.playing = !player.playing;
-        if (player.playing) {  // from here on, or from the beginning where all is done
-            player.time = position >= count ? 0.0 : position;
-            player.position = eased(player.time);
-            set_position(scene, player.position);
-        }
-    }
+                     .enabled = any}))
+        toggle(player, scene);
     ImGui::SameLine(0, look.px(2));
     if (icon_button(look, "##previous",
                     {.icon = Icon::Previous, .about = "One entry less.", .enabled = any && position > 0.0}))

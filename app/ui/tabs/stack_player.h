@@ -12,6 +12,11 @@ struct StackPlayer {
     double position = 0.0;  ///< what was last shown: whoever sets another stops the playing
 };
 
+/// From nothing, or from where the scene is; where it is playing, it stops there.
+void toggle(StackPlayer& player, Scene& scene);
+/// Ends it at once, with all of the stack.
+void finish(StackPlayer& player, Scene& scene);
+
 /// One frame onward, where it is playing.
 void advance(StackPlayer& player, Scene& scene);
 

@@ -1,0 +1,78 @@
+#include "ui/panel/panel.h"
+
+#include "core/lessons/lesson.h"
+#include "ui/kit/widgets.h"
+#include "ui/panel/panel_memory.h"
+
+#include <algorithm>
+#include <string>
+
+namespace normalscope {
+
+namespace {
+
+constexpr float kMenuWidth = 356.0f;
+
+// A row to be chosen; what stands at its right is said quietly.
+bool row(const Look& look, const char* title, const std::string& right, bool chosen) {
+    const bool pressed = ImGui::Selectable(title, chosen, 0, {0, look.px(24)});
+    if (right.empty()) return pressed;
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    const ImFont* small = look.fonts.small;
+    const float width = small->CalcTextSizeA(small->FontSize, 1e9f, 0, right.c_str()).x;
+    ImGui::GetWindowDrawList()->AddText(
+        small, small->FontSize,
+        {std::round(high.x - width - look.px(6)), std::round((low.y + high.y - small->FontSize) / 2)}, packed(look.dim),
+        right.c_str());
+    return pressed;
+}
+
+void heading(const Look& look, const char* text) {
+    ImGui::PushFont(look.fonts.small);
+    dim_text(look, text);
+    ImGui::PopFont();
+}
+
+// How far somebody has come: "3 of 9", a tick at the end, nothing where it has not been begun.
+std::string progress_of(const BuiltInLesson& lesson, const std::map<std::string, std::size_t>& progress) {
+    const auto left_at = progress.find(lesson.name);
+    if (left_at == progress.end() || lesson.steps == 0) return std::to_string(lesson.steps) + " steps";
+    const std::size_t step = std::min(left_at->second, lesson.steps - 1) + 1;
+    return step == lesson.steps ? "✓" : std::to_string(step) + " of " + std::to_string(lesson.steps);
+}
+
+}  // namespace
+
+void learn_menu(PanelMemory& memory, const PanelContext& context) {
+    const Look& look = context.look;
+    ImGui::PushStyleColor(ImGuiCol_Button, look.accent);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(look.accent, 0.85f));
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(look.accent, 0.7f));
+    ImGui::PushStyleColor(ImGuiCol_Text, look.on_accent);
+    const bool pressed = ImGui::Button("Learn");
+    ImGui::PopStyleColor(4);
+    tip(look, "Lessons, exercises, and a gallery of surfaces.");
+    if (pressed) ImGui::OpenPopup("##learning");
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    ImGui::SetNextWindowPos({low.x, high.y + look.px(4)});
+    ImGui::SetNextWindowSize({look.px(kMenuWidth), 0});
+    if (!ImGui::BeginPopup("##learning")) return;
+    heading(look, "Lessons");
+    for (const BuiltInLesson& lesson : built_in_lessons()) {
+        if (row(look, lesson.title.c_str(), progress_of(lesson, context.progress), lesson.name == context.status.file))
+            context.requests.open = lesson.name;
+        tip(look, lesson.about.c_str());
+    }
+    ImGui::Separator();
+    heading(look, "Exercises");
+    if (row(look, "Where does this normal go?", "without end", context.status.file.starts_with("exercises")))
+        context.requests.open = "exercises";
+    tip(look, "Predict, then see: from easy to hard.");
+    ImGui::Separator();
+    heading(look, "Gallery");
+    if (row(look, "Surfaces by formula", "", false)) memory.gallery.show();
+    tip(look, "With their pictures, and what each shows about normals.");
+    ImGui::EndPopup();
+}
+
+}  // namespace normalscope

@@ -1,0 +1,124 @@
+// What somebody meets who has never been here: the stack is played once, a sentence stands above the picture, and what a
+// first look can do without is a press away.
+
+#include "viewer/hosted.h"
+
+#include "core/lessons/lesson.h"
+
+namespace normalscope {
+namespace {
+
+class FirstMinuteTest : public ViewerTest {
+protected:
+    static Remembered nobody() { return remembered_of(""); }
+    Item strip(const char* id) const { return Item("##strip") / id; }
+    Item panel(const char* id) const { return Item("##panel/##always") / id; }
+    bool has(const char* window) const {
+        for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows)
+            if (w->WasActive && std::string_view(w->Name).find(window) != std::string_view::npos) return true;
+        return false;
+    }
+};
+
+TEST_F(FirstMinuteTest, TheVeryFirstStartPlaysTheStackOnce) {
+    const Scene whole = light();
+    viewer_.emplace(host_, Opened{.file = "", .scene = whole}, nobody());
+    EXPECT_EQ(scene().stack_position, 0.0);
+    for (double last = 0.0; scene().stack_position && host_.time < 5.0; last = scene().stack_position.value_or(1.0)) {
+        host_.time += 0.05;
+        viewer().step();
+        EXPECT_GE(scene().stack_position.value_or(1.0), last);
+    }
+    EXPECT_GT(host_.time, 1.0);
+    EXPECT_EQ(scene(), whole);
+    EXPECT_FALSE(is_unsaved());
+    key(ImGuiMod_Ctrl | ImGuiKey_Z);  // there is nothing to undo
+    EXPECT_EQ(scene(), whole);
+    EXPECT_FALSE(viewer().remembered().first);
+    EXPECT_FALSE(remembered_of(remembered_text(viewer().remembered())).first);
+}
+
+TEST_F(FirstMinuteTest, AnyPressEndsItAtOnce) {
+    viewer_.emplace(host_, Opened{.file = "", .scene = light()}, nobody());
+    viewer().step();
+    viewer().press(KeyPress{ImGuiKey_N});
+    Scene expected = light();
+    expected.rule = Rule::Naive;
+    EXPECT_EQ(scene(), expected);
+}
+
+TEST_F(FirstMinuteTest, NothingPlaysWhereMotionIsUnwantedOrSomethingWasAskedFor) {
+    Remembered still = nobody();
+    still.motion = false;
+    start(light(), "", still);
+    EXPECT_EQ(scene(), light());
+    start(light("shear"), "shear", nobody());
+    EXPECT_EQ(scene(), light("shear"));
+    start();  // somebody has been here
+    EXPECT_EQ(scene(), light());
+}
+
+TEST_F(FirstMinuteTest, PlayLetsTheTransformHappenAgain) {
+    start();
+    const Scene before = scene();
+    point(middle(strip("##play")));
+    press();
+    viewer().release(0, 0);
+    viewer().step();
+    host_.time += 0.05;
+    viewer().step();
+    EXPECT_LT(scene().stack_position.value_or(1.0), 0.5);
+    settle();
+    EXPECT_EQ(scene(), before);
+}
+
+TEST_F(FirstMinuteTest, WhyOpensTheLineAtStake) {
+    start();
+    click(strip("Why?"));
+    EXPECT_EQ(viewer().interface().derivation_line()->line, DerivationLine::Rule);
+    key(ImGuiKey_D);
+    key(ImGuiKey_N);
+    click(strip("Why?"));
+    EXPECT_EQ(viewer().interface().derivation_line()->line, DerivationLine::Wanted);
+}
+
+TEST_F(FirstMinuteTest, TryItStartsExercisesAndLeavingThemBringsTheSceneBack) {
+    start();
+    const Scene before = scene();
+    click(strip("Try it"));
+    EXPECT_TRUE(lecture().exercises.running());
+    EXPECT_FALSE(has("##strip"));
+    key(ImGuiKey_Escape);
+    EXPECT_EQ(scene(), before);
+    EXPECT_TRUE(has("##strip"));
+}
+
+TEST_F(FirstMinuteTest, LearnOpensALesson) {
+    start();
+    click(panel("Learn"));
+    ASSERT_TRUE(has("##Popup"));
+    for (int i = 0; i < 3; ++i) key(ImGuiKey_DownArrow);
+    key(ImGuiKey_Enter);
+    ASSERT_TRUE(lecture().player.running());
+    const std::string name = lecture().player.lesson().name;
+    EXPECT_TRUE(is_built_in_lesson(name)) << name;
+}
+
+TEST_F(FirstMinuteTest, WhatIsUnfoldedStaysSoInTheNextSession) {
+    start();
+    for (const char* id : {"##rules", "##tabs"}) click(panel(id));
+    const Remembered later = remembered_of(remembered_text(viewer().remembered()));
+    EXPECT_EQ(later.unfolded, (Unfolded{.rules = true, .tabs = true}));
+    start(light(), "", later);
+    click(panel("Maps"));
+    EXPECT_TRUE(has("##side"));
+}
+
+TEST_F(FirstMinuteTest, AnUnfoldedThingThatIsUnknownOrNoneIsLeftOut) {
+    for (const char* text :
+         {R"({"unfolded": ["rules", "no such", 3]})", R"({"unfolded": "rules"})", R"({"unfolded": {}})"})
+        EXPECT_EQ(remembered_of(text).unfolded.rules, std::string_view(text).find('[') != std::string_view::npos);
+}
+
+}  // namespace
+}  // namespace normalscope
