@@ -45,7 +45,7 @@ std::string generated(const ImplicitSurface& surface, formulas::Precision precis
     const bool exact = surface.degree() && *surface.degree() <= most;
     const int degree = exact ? std::max(*surface.degree(), 1) : kOtherwise;
     return surface.glsl(precision).source + formulas::ray_samples_glsl(degree, precision) +
-           "const REAL CAUTION = " + (has_kinks(surface.formula().graph) ? "24.0" : "2.0") + ";\n" +
+           "const REAL CAUTION = " + (has_kinks(surface.tame_formula().graph) ? "24.0" : "2.0") + ";\n" +
            "const bool POLYNOMIAL = " + (exact ? "true" : "false") + ";\n";
 }
 

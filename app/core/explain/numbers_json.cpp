@@ -33,7 +33,7 @@ Json probe_json(const ProbeInWorld& p, const ImplicitSurface* implicit) {
     j["f"] = nullptr;  // formulas only
     j["gradient"] = nullptr;
     if (implicit) {
-        const formulas::Sample s = implicit->at(p.object.point);
+        const formulas::Sample s = implicit->written_at(p.object.point);
         j["f"] = json_number(s.value);
         if (std::isfinite(glm::length(s.gradient))) j["gradient"] = json_vector(s.gradient);
     }

@@ -4,6 +4,7 @@
 #include "core/formula/syntax_error.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,9 @@ struct Formula {
 /// What the user typed (parse.h says what is understood). Throws SyntaxError with the column; InputError where the
 /// derivatives are too long to hold.
 Formula read(std::string_view text);
+
+/// What f is drawn and measured by: same_sign of it, with derivatives of its own; empty where that is f itself.
+std::optional<Formula> tamed(const Formula& formula);
 
 /// The letters of the parameters that occur in a formula; none where it cannot be read.
 std::string parameters_in(std::string_view text);

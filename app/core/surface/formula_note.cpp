@@ -50,13 +50,19 @@ struct Zeros {
     bool below = false, above = false;  ///< whether f < 0, or f > 0, was seen anywhere
 };
 
+// Not where rounding alone may make it so.
+void note_sign(const ImplicitSurface& surface, const glm::dvec3& p, Zeros& zeros) {
+    const formulas::Interval f = formulas::value(surface.program(), {p, p});
+    if (f.defined == formulas::Interval::Defined::Nowhere) return;
+    zeros.below = zeros.below || f.high < 0.0;
+    zeros.above = zeros.above || f.low > 0.0;
+}
+
 Zeros zeros_of(const ImplicitSurface& surface) {
     const double bound = surface.source().bound;
     Zeros zeros;
     for (const glm::dvec3& start : surface.points_throughout(kTrialPoints)) {
-        const double f = surface.at({start}).value;
-        zeros.below = zeros.below || f < 0.0;
-        zeros.above = zeros.above || f > 0.0;
+        note_sign(surface, start, zeros);
         if (const auto zero = surface.onto_surface({start}, 2.0 * bound); zero && surface.inside_clip(zero->xyz))
             zeros.places.push_back(zero->xyz);
     }
@@ -97,23 +103,31 @@ std::string point_text(const glm::dvec3& p, double bound) {
 void look_around(const ImplicitSurface& surface, Zeros& zeros) {
     const double bound = surface.source().bound;
     for (const glm::dvec3& p : zeros.places)
-        for (int step = 0; step < 20; ++step)
+        for (int step = 0; step < 30; ++step)
             for (int k = 0; k < 8; ++k) {
                 const glm::dvec3 side(k & 1 ? 1.0 : -0.9, k & 2 ? 0.8 : -1.0, k & 4 ? 0.9 : -0.8);
-                const double f = surface.at({p + 1e-2 * std::pow(0.3, step) * bound * side}).value;
-                zeros.below = zeros.below || f < 0.0;
-                zeros.above = zeros.above || f > 0.0;
+                note_sign(surface, p + 1e-2 * std::pow(0.3, step) * bound * side, zeros);
             }
 }
 
-std::string thin(const Zeros& zeros, double bound) {
+constexpr double kRounding = 1e-300;  // of a bound that is 0
+
+// Whether f has one sign throughout, which points alone cannot tell.
+bool has_one_sign(const ImplicitSurface& surface) {
+    const double bound = surface.source().bound;
+    const formulas::Interval f = formulas::value(surface.program(), {glm::dvec3(-bound), glm::dvec3(bound)});
+    return f.low >= -kRounding || f.high <= kRounding;
+}
+
+std::string thin(const Zeros& zeros, double bound, bool sure) {
     bool one_point = true;
     for (const glm::dvec3& p : zeros.places)
         one_point = one_point && glm::distance(p, zeros.places.front()) < kSamePoint * bound;
     const bool up = zeros.below;
     return std::string("f comes ") + (up ? "up" : "down") + " to 0 " + (one_point ? "at " : "as at ") +
-           point_text(zeros.places.front(), bound) + " but is never " + (up ? "positive" : "negative") +
-           (one_point ? ": a point" : ": a line or some points") + ", too thin for a surface. Nothing is drawn.";
+           point_text(zeros.places.front(), bound) + (sure ? " but is never " : " but was nowhere found ") +
+           (up ? "positive" : "negative") + (one_point ? ": a point" : ": a line or some points") +
+           ", too thin for a surface. Nothing is drawn.";
 }
 
 // Where f becomes 0 just where its values end, as sqrt(1 − x²) does.
@@ -156,8 +170,9 @@ FormulaNote on_zeros(const ImplicitSurface& surface, Zeros zeros, const std::str
                 ", but in parts so thin that only rays find them: there are no triangles, and no arrows."};
     if (sheet)
         return {"f touches 0 within " + within +
-                " without changing its sign. Only rays find such a surface: it has no triangles, and no arrows."};
-    return {thin(zeros, surface.source().bound), false};
+                (has_one_sign(surface) ? " without changing its sign" : ", and was not found to change its sign") +
+                ". Only rays find such a surface: it has no triangles, and no arrows."};
+    return {thin(zeros, surface.source().bound, has_one_sign(surface)), false};
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ std::optional<GradientReport> gradient_report(const Surface& surface, const Prob
     if (!surface.implicit) return std::nullopt;
     const ImplicitSurface& implicit = *surface.implicit;
     GradientReport report;
-    const formulas::Sample exact = implicit.at(probe.point);
+    const formulas::Sample exact = implicit.written_at(probe.point);
     report.f = exact.value;
     report.gradient = exact.gradient;
     if (!probe.borrowed_from && glm::length(probe.normal.xyz) > 0.0) report.normal = probe.normal;
@@ -40,7 +40,7 @@ std::optional<GradientReport> gradient_report(const Surface& surface, const Prob
         before[i] -= report.step;
         after[i] += report.step;
         report.differences.vector[i] =
-            (formulas::value(implicit.program(), after) - formulas::value(implicit.program(), before)) /
+            (formulas::value(implicit.written_program(), after) - formulas::value(implicit.written_program(), before)) /
             (after[i] - before[i]);
     }
     report.polygon = of_polygon(surface, probe.point);

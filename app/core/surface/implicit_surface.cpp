@@ -83,10 +83,13 @@ std::optional<glm::dvec3> solid_of_zeros(const ImplicitSurface& surface) {
 
 ImplicitSurface::ImplicitSurface(const FormulaSurface& source)
     : source_(source), formula_(std::make_shared<const formulas::Formula>(formulas::read(source.formula))) {
-    const formulas::Program unset = formulas::compile(formula_->graph, formula_->f, std::nullopt);
+    auto tame = formulas::tamed(*formula_);
+    tame_ = tame ? std::make_shared<const formulas::Formula>(std::move(*tame)) : formula_;
+    const formulas::Program unset = formulas::compile(tame_->graph, tame_->f, std::nullopt);
     glsl_ = std::make_shared<const formulas::Glsl>(formulas::to_glsl(unset));
     degree_ = formulas::polynomial_degree(unset, kMostDegreeOnGpu);
-    program_ = formulas::compile(formula_->graph, formula_->f, source.parameters);
+    program_ = formulas::compile(tame_->graph, tame_->f, source.parameters);
+    written_ = formulas::compile(formula_->graph, formula_->f, source.parameters);
     tracer_.emplace(program_);
     const formulas::Box all{glm::dvec3(-source.bound), glm::dvec3(source.bound)};
     const formulas::Interval f = formulas::value(program_, all);
@@ -121,7 +124,7 @@ void ImplicitSurface::check_floats(const Mesh& mesh) {
         wrong += exact[i] * outward > 0.0 && !(rounded[i] * outward > 0.0) ? 1 : 0;
     }
     if (wrong <= kMostWrong) return;
-    const formulas::Program unset = formulas::compile(formula_->graph, formula_->f, std::nullopt);
+    const formulas::Program unset = formulas::compile(tame_->graph, tame_->f, std::nullopt);
     double_glsl_ = std::make_shared<const formulas::Glsl>(formulas::to_glsl(unset, formulas::Precision::Double));
 }
 

@@ -24,9 +24,14 @@ public:
     explicit ImplicitSurface(const FormulaSurface& source);
 
     const FormulaSurface& source() const { return source_; }
+    /// f as it is written.
     const formulas::Formula& formula() const { return *formula_; }
-    /// f with values for its parameters.
+    /// What all else works on: an expression with f's sign everywhere, f itself if not one that underflows less
+    /// (core/formula/same_sign.h). Its gradient has the direction of ∇f, where ∇f has one.
+    const formulas::Formula& tame_formula() const { return *tame_; }
+    /// It, with values for its parameters; and f itself.
     const formulas::Program& program() const { return program_; }
+    const formulas::Program& written_program() const { return written_; }
     /// f and ∇f for the graphics processor; the parameters are uniforms. The same for all values of the parameters.
     const formulas::Glsl& glsl(formulas::Precision precision = formulas::Precision::Single) const {
         return precision == formulas::Precision::Double && double_glsl_ ? *double_glsl_ : *glsl_;
@@ -60,6 +65,8 @@ public:
     std::vector<glm::dvec3> points_throughout(int a_side) const;
 
     formulas::Sample at(Point<Object> p) const { return formulas::sample(program_, p.xyz); }
+    /// f and ∇f as they are written, for who reads them.
+    formulas::Sample written_at(Point<Object> p) const { return formulas::sample(written_, p.xyz); }
 
     /// The first point of the surface that the ray meets: t in lengths of its direction.
     std::optional<double> first_hit(const Ray<Object>& ray, formulas::Effort* effort = nullptr) const;
@@ -75,10 +82,10 @@ public:
 
 private:
     FormulaSurface source_;
-    std::shared_ptr<const formulas::Formula> formula_;
+    std::shared_ptr<const formulas::Formula> formula_, tame_;
     std::shared_ptr<const formulas::Glsl> glsl_, double_glsl_;
     std::optional<int> degree_;
-    formulas::Program program_;
+    formulas::Program program_, written_;
     std::optional<formulas::RayTracer> tracer_;
     bool zero_everywhere_ = false;
     std::optional<glm::dvec3> zero_throughout_;

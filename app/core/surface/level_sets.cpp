@@ -49,7 +49,7 @@ Polygon clipped(const Polygon& polygon, F&& above) {
 class Maker {
 public:
     Maker(const ImplicitSurface& surface, const Slice& slice)
-        : surface_(surface), may_jump_(formulas::may_jump(surface.program())) {
+        : surface_(surface), may_jump_(formulas::may_jump(surface.written_program())) {
         const auto axis = static_cast<glm::length_t>(slice.axis);
         // So that (u, v, axis) is right-handed, and the plane looks as one draws it.
         sets_.across[0][(axis + 1) % 3] = 1.0;
@@ -84,7 +84,7 @@ private:
         return static_cast<int>(
             std::clamp(std::floor(f / sets_.step), -1.0 * LevelSets::kMostBands, LevelSets::kMostBands - 1.0));
     }
-    Corner evaluated(glm::dvec2 at) const { return {at, usable(formulas::value(surface_.program(), lift(at)))}; }
+    Corner evaluated(glm::dvec2 at) const { return {at, usable(formulas::value(surface_.written_program(), lift(at)))}; }
     static double usable(double f) { return std::abs(f) < 1e100 ? f : std::nan(""); }
 
     void evaluate() {
@@ -95,7 +95,7 @@ private:
                 points.push_back(lift(corners_.back().at));
             }
         std::vector<double> values(points.size());
-        formulas::values(surface_.program(), points, values);
+        formulas::values(surface_.written_program(), points, values);
         for (std::size_t k = 0; k < values.size(); ++k) corners_[k].f = usable(values[k]);
     }
 
@@ -205,7 +205,7 @@ private:
             const double fa = a.f - level * sets_.step, fb = b.f - level * sets_.step;
             if ((fa < 0.0) == (fb < 0.0)) continue;
             // Over a jump, as over a pole, f is not 0: no line of the surface.
-            if (level == 0 && may_jump_ && !formulas::zero_between(surface_.program(), lift(a.at), lift(b.at))) return;
+            if (level == 0 && may_jump_ && !formulas::zero_between(surface_.written_program(), lift(a.at), lift(b.at))) return;
             ends.push_back(lift(between(a, b, fa / (fa - fb)).at));
         }
         if (ends.size() == 2) sets_.lines.push_back({{ends[0], ends[1]}, level});
@@ -254,7 +254,7 @@ private:
                 if (within({at, 0.0}) >= 0.0) points.push_back(lift(at));
             }
         std::vector<formulas::Sample> samples(points.size());
-        formulas::samples(surface_.program(), points, samples);
+        formulas::samples(surface_.written_program(), points, samples);
         for (std::size_t k = 0; k < points.size(); ++k) {
             const double length = glm::length(samples[k].gradient);
             if (std::isfinite(samples[k].value) && length > 1e-100 && length < 1e100)

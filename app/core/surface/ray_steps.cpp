@@ -50,9 +50,11 @@ RaySteps ray_steps(const Scene& scene, const Surface& surface, const Transform<W
     s.point_if_normalised = s.world.origin + *s.t_if_normalised * s.world.direction;
     Normal<Object> gradient = hit->probe.normal;
     if (surface.implicit) {
-        const formulas::Sample sample = surface.implicit->at(*s.point);
+        const formulas::Sample sample = surface.implicit->written_at(*s.point);
         s.f = sample.value;
-        gradient = {sample.gradient};
+        // Where it is too small or too large for a number, its direction is that of another.
+        const double square = glm::dot(sample.gradient, sample.gradient);
+        gradient = {std::isnormal(square) ? sample.gradient : surface.implicit->at(*s.point).gradient};
     }
     if (!hit->probe.has_normal() || !std::isfinite(glm::length(gradient.xyz))) return ends(RaySteps::End::NoNormal, 3);
     s.gradient = gradient;

@@ -89,6 +89,12 @@ TEST(FormulaSurface, HoweverThinOrSmall) {
                                                                {"(x+y+z)^250-1", 2.0},
                                                                {"x^500-0.5", 2.0},
                                                                {"exp(1e3 x) - 1", 2.0},
+                                                               {"exp(-1000x^2)-1e-300", 2.0},
+                                                               {"exp(-exp(10x))-1e-300", 2.0},
+                                                               {"x^200-1e-300", 2.0},
+                                                               {"x^100*y^100*z^100-1e-200", 2.0},
+                                                               {"1e-320(x^2+y^2+z^2-1)", 2.0},
+                                                               {"1e300(x^2+y^2+z^2-1)", 2.0},
                                                                {"exp(-100(x^2+y^2+z^2)) = exp(-100)", 1.5}}) {
         const auto surface = surface_of(formula, bound);
         EXPECT_GT(surface->mesh.triangles.size(), 100u) << formula;
@@ -98,6 +104,25 @@ TEST(FormulaSurface, HoweverThinOrSmall) {
             const auto probe = nearest_probe(*surface, {bound * p}, std::nullopt);
             ASSERT_TRUE(probe) << formula;
             EXPECT_TRUE(surface->implicit->lies_on(probe->point.xyz)) << formula;
+            EXPECT_TRUE(probe->has_normal()) << formula;
+        }
+    }
+}
+
+// x^200 is less than any number about x = 0, and 0 only there.
+TEST(FormulaSurface, UnderflowIsNotZero) {
+    for (const auto& [formula, distance] : std::initializer_list<std::pair<const char*, double (*)(const glm::dvec3&)>>{
+             {"x^200", [](const glm::dvec3& p) { return p.x; }},
+             {"x^199", [](const glm::dvec3& p) { return p.x; }},
+             {"x^201-y^201", [](const glm::dvec3& p) { return p.x - p.y; }},
+             {"(x-0.3)^50*(y-0.2)^50*1e-200", [](const glm::dvec3& p) { return (p.x - 0.3) * (p.y - 0.2); }},
+             {"(x^2+y^2+z^2-1)^101", [](const glm::dvec3& p) { return glm::length(p) - 1.0; }}}) {
+        const auto surface = surface_of(formula, 2.0);
+        for (const glm::dvec3& p : kProbes) {
+            const auto probe = nearest_probe(*surface, {2.0 * p}, std::nullopt);
+            if (probe) {
+                EXPECT_NEAR(distance(probe->point.xyz), 0.0, 1e-6) << formula;
+            }
         }
     }
 }
@@ -105,7 +130,11 @@ TEST(FormulaSurface, HoweverThinOrSmall) {
 TEST(FormulaSurface, WhatIsSaidIsSo) {
     for (const auto& [formula, says, drawn] : std::initializer_list<std::tuple<const char*, const char*, bool>>{
              {"(x-0.3)^2", "touches 0", true},
-             {"|x-0.3|", "touches 0", true},
+             {"|x-0.3|", "touches 0 within the ball without changing its sign", true},
+             {"x^2+0.09-0.6x", "touches 0 within the ball, and was not found to change its sign", true},
+             {"x^200", "touches 0 within the ball without changing its sign", true},
+             {"x^200+y^200", "never negative", false},
+             {"exp(-exp(x))", "No zero", false},
              {"x^x-0.5", "No zero", false},
              {"(x^2+y^2+z^2-4)^2+((x-1)^2+y^2-1)^2", "never negative", false},
              {"sqrt(1-x^2-y^2-z^2)", "only where its values end", false},
@@ -122,7 +151,8 @@ TEST(FormulaSurface, FloatsAreHeldAgainstDoubles) {
              {"x^2+y^2+z^2-1", 1.5, Precision::Single},
              {"4(x^2+y^2+z^2)+16x y z-1", 1.5, Precision::Single},
              {"sin(3x)cos(3y)+sin(3y)cos(3z)+sin(3z)cos(3x)", 2.0, Precision::Single},
-             {"exp(-100(x^2+y^2+z^2)) = exp(-100)", 1.5, Precision::Double},
+             {"exp(-100(x^2+y^2+z^2)) = exp(-100)", 1.5, Precision::Single},  // as the sphere
+             {"exp(-100(x^2+y^2+z^2)) + exp(-100(x^2+y^2+z^2)-1) = 5e-44", 1.5, Precision::Double},
              {"(x+1000)^2-1000^2+(y+1000)^2-1000^2+(z+1000)^2-1000^2-2000(x+y+z)-1", 1.5, Precision::Double}})
         EXPECT_EQ(surface_of(formula, bound)->implicit->precision(), precision) << formula;
 }
