@@ -29,8 +29,7 @@ die() {
 command -v apt-get >/dev/null || die "Dear ImGui and glad are fetched by apt-get, which this system lacks"
 update_from_own_archive || die "none of this machine's apt archives serves Debian 13: check the network"
 
-private apt-get source --download-only imgui && dpkg-source -x imgui_*.dsc imgui >>"$log" 2>&1 ||
-    die "Dear ImGui's source could not be fetched"
+source_of imgui imgui || die "Dear ImGui's source could not be fetched"
 
 private apt-get download python3-glad && dpkg-deb -x python3-glad_*.deb generator &&
     PYTHONPATH=generator/usr/lib/python3/dist-packages python3 -m glad --quiet --reproducible --out-path glad \

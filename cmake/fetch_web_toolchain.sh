@@ -73,15 +73,10 @@ CACHE = '$folder/web/root/usr/share/emscripten/cache'
 FROZEN_CACHE = False
 EOF
 
-# ---- The libraries that a page brings along. Of a package that is just being renewed an archive may have but the original.
+# ---- The libraries that a page brings along
 
 for package in zlib libpng1.6; do
-    private apt-get source --download-only $package || true
-    if ls ${package}_*.dsc >/dev/null 2>&1 && dpkg-source -x ${package}_*.dsc "web/$package" >>"$log" 2>&1; then
-        continue
-    fi
-    mkdir -p "web/$package"
-    tar -x --strip-components=1 -C "web/$package" -f ${package}_*.orig.tar.* || die "$package's source could not be fetched"
+    source_of $package "web/$package" || die "$package's source could not be fetched"
 done
 
 touch web/complete

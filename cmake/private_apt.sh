@@ -24,3 +24,15 @@ update_from_own_archive() {
     done
     return 1
 }
+
+# source_of PACKAGE FOLDER: its source, as Debian patches it. Of a package that is just being renewed an archive may have but
+# the original.
+source_of() {
+    private apt-get source --download-only "$1" || true
+    if ls "$1"_*.dsc >/dev/null 2>&1 && dpkg-source -x "$1"_*.dsc "$2" >>"$log" 2>&1; then
+        return
+    fi
+    rm -rf "$2"
+    mkdir -p "$2"
+    tar -x --strip-components=1 -C "$2" -f "$1"_*.orig.tar.*
+}

@@ -39,6 +39,15 @@ void choose_platform() {
 #endif
 }
 
+// There a window's size is in logical pixels, while a monitor's is in physical ones, and nobody learns where it stands.
+bool on_wayland() {
+#ifdef GLFW_PLATFORM
+    return glfwGetPlatform() == GLFW_PLATFORM_WAYLAND;
+#else
+    return false;
+#endif
+}
+
 std::span<GLFWmonitor*> monitors() {
     int count = 0;
     GLFWmonitor** const list = glfwGetMonitors(&count);
@@ -85,9 +94,10 @@ glm::ivec2 fitting_size(const WindowPlace& place) {
     glm::ivec2 room(0);
     glm::vec2 scale(1.0f);
     glfwGetMonitorWorkarea(monitor, nullptr, nullptr, &room.x, &room.y);
-    if (!place.size) glfwGetMonitorContentScale(monitor, &scale.x, &scale.y);
+    if (!place.size || on_wayland()) glfwGetMonitorContentScale(monitor, &scale.x, &scale.y);
     if (room.x <= 0 || room.y <= 0) return size;
-    return glm::min(size, glm::ivec2(glm::vec2(room) / glm::max(scale, glm::vec2(1.0f))));
+    const glm::ivec2 bars(0, on_wayland() ? 80 : 0);  // a desktop's and the window's own are not told of there
+    return glm::min(size, glm::ivec2(glm::vec2(room) / glm::max(scale, glm::vec2(1.0f))) - bars);
 }
 
 }  // namespace
@@ -114,7 +124,7 @@ Window::Window(const char* title, const WindowPlace& place) {
         glfwTerminate();
         throw ContextError("no window: " + reason + "; an OpenGL 3.3 driver is needed");
     }
-    if (place.position) glfwSetWindowPos(window_, place.position->x, place.position->y);
+    if (place.position && !on_wayland()) glfwSetWindowPos(window_, place.position->x, place.position->y);
     glfwSetWindowSizeLimits(window_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
     latest_ = settled_ = this->place();
     glfwShowWindow(window_);
@@ -176,6 +186,7 @@ WindowPlace Window::place() const {
     if (to_go_back_to_) return *to_go_back_to_;
     glm::ivec2 size, position;
     glfwGetWindowSize(window_, &size.x, &size.y);
+    if (on_wayland()) return {size, std::nullopt};
     glfwGetWindowPos(window_, &position.x, &position.y);
     return {size, position};
 }
@@ -184,8 +195,8 @@ void Window::toggle_full_screen() {
     if (windowed_) {
         const WindowPlace back = *windowed_;
         windowed_.reset();
-        glfwSetWindowMonitor(window_, nullptr, back.position->x, back.position->y, back.size->x, back.size->y,
-                             GLFW_DONT_CARE);
+        const glm::ivec2 position = back.position.value_or(glm::ivec2(0));
+        glfwSetWindowMonitor(window_, nullptr, position.x, position.y, back.size->x, back.size->y, GLFW_DONT_CARE);
         if (back.maximised) glfwMaximizeWindow(window_);
         return;
     }
