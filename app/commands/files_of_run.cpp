@@ -7,9 +7,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <locale.h>  // newlocale
 #include <algorithm>
+#include <array>
 #include <cctype>
-#include <optional>
+#include <climits>
+#include <clocale>
+#include <cwchar>
+#include <cwctype>
 
 namespace normalscope {
 
@@ -25,9 +30,27 @@ std::string with_other_case(std::string text) {
     return text;
 }
 
-std::string in_small_letters(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
+// Of any alphabet, as a folder that takes any case does; without the C library's UTF-8 of a to z only.
+std::string in_small_letters(const std::string& text) {
+    static const locale_t utf8 = ::newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
+    const locale_t before = utf8 ? ::uselocale(utf8) : nullptr;
+    std::string small;
+    for (std::size_t at = 0; at < text.size();) {
+        wchar_t letter = 0;
+        std::array<char, MB_LEN_MAX> bytes{};
+        std::mbstate_t in{}, out{};
+        const std::size_t length = std::mbrtowc(&letter, text.data() + at, text.size() - at, &in);
+        const bool valid = length > 0 && length <= text.size() - at;
+        const auto lower = static_cast<wchar_t>(std::towlower(static_cast<wint_t>(letter)));
+        const std::size_t written = valid ? std::wcrtomb(bytes.data(), lower, &out) : bytes.size() + 1;
+        if (written <= bytes.size())
+            small.append(bytes.data(), written);
+        else
+            small += text[at];
+        at += valid ? length : 1;
+    }
+    if (utf8) ::uselocale(before);
+    return small;
 }
 
 bool is_found_by_other_case(const fs::path& file) {
@@ -60,9 +83,15 @@ std::string identity(const fs::path& file) {
     if (::stat(file.c_str(), &status) == 0) return S_ISREG(status.st_mode) ? identity(status) : "";
     std::error_code error;
     const fs::path end = fs::absolute(without_links(file), error);
-    const fs::path folder = fs::weakly_canonical(end.parent_path(), error);
-    const std::string name = end.filename().string();
-    return ((error ? end.parent_path() : folder) / (takes_any_case(folder) ? in_small_letters(name) : name)).string();
+    const fs::path parent = fs::weakly_canonical(end.parent_path(), error);
+    // The folders that are there are known by what they are, the others by their names.
+    fs::path folder = error ? end.parent_path() : parent;
+    std::string name = end.filename().string();
+    while (::stat(folder.c_str(), &status) != 0 && folder.has_relative_path()) {
+        if (folder.has_filename()) name = folder.filename().string() + "/" + name;  // else it ends in a slash
+        folder = folder.parent_path();
+    }
+    return identity(status) + "/" + (takes_any_case(folder) ? in_small_letters(name) : name);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@ import json
 import os
 import pathlib
 import shutil
+import subprocess
 import unittest
 
 from support import SMALL, CommandTest, run
@@ -115,6 +116,31 @@ class OverwritingTest(CommandTest):
             manifest = self.checks({"name": "a", "scene": "shear", "reference": "r/one.png"},
                                    {"name": "b", "scene": "split", "reference": other})
             self.assert_refused(3, "check", manifest, "--update", says=("check a", "check b"))
+
+    def test_folders_that_take_any_case(self):
+        """As those of Windows and macOS do. Names that are not there yet are one as well, in any alphabet."""
+        image, folder = self.folder / "image", self.folder / "caseless"
+        tools = ("mkntfs", "lowntfs-3g", "fusermount")
+        if not all(map(shutil.which, tools)) or not os.access("/dev/fuse", os.W_OK):
+            self.skipTest(f"there is no {', '.join(tools)}, or no /dev/fuse")
+        image.write_bytes(bytes(16 << 20))
+        folder.mkdir()
+        subprocess.run(["mkntfs", "-F", "-q", image], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        if subprocess.run(["lowntfs-3g", "-o", "ignore_case", image, folder], stderr=subprocess.DEVNULL, check=False).returncode:
+            self.skipTest("nothing can be mounted here")
+        self.addCleanup(subprocess.run, ["fusermount", "-u", "-z", folder], check=True)
+        (folder / "reference.png").write_bytes(self.reference.read_bytes())
+        for name in ("REFERENCE.png", "Reference.PNG"):
+            self.assert_fails(2, "capture", *SMALL, "-o", folder / name, "--expect", folder / "reference.png", says="same file")
+        for one, other in (("new.png", "NEW.png"), ("Ön.png", "öN.png"), ("Ж/a.png", "ж/A.png"), ("A/B/c", "a/b/c")):
+            self.assert_fails(2, "capture", *SMALL, "-o", folder / one, "--numbers", folder / other, says="same file")
+        for a, b in (("A.png", "a.png"), ("É/x.png", "é/X.png")):
+            manifest = folder / "checks.json"
+            manifest.write_text(json.dumps({"normalscope_check": 1, "size": "64x64", "checks": [
+                {"name": "one", "scene": "shear", "reference": a}, {"name": "two", "scene": "split", "reference": b}]}))
+            self.assert_fails(3, "check", manifest, "--update", says=("check one", "check two"))
+        # Elsewhere they are two.
+        self.assert_done("capture", *SMALL, "-o", self.folder / "new.png", "--numbers", self.folder / "NEW.png")
 
     def test_results_do_not_go_over_references_nor_anything_that_is_read(self):
         mesh = self.file("wing.png.obj", self.mesh.read_text())
