@@ -38,9 +38,13 @@ constexpr Line kLook[]{
     {"Esc", "close what is open"},
 };
 constexpr Line kRulesKeys[]{
-    {"N", "naive: M n"},          {"I", "inverse transpose: (M⁻¹)ᵀ n"},
-    {"C", "cofactor: cof(M) n"},  {"V", "next view: single, split, overlay, flat"},
-    {"G", "ghost of the object"}, {"E", "light, error map, normals"},
+    {"N", "naive: M n"},
+    {"I", "inverse transpose: (M⁻¹)ᵀ n"},
+    {"C", "cofactor: cof(M) n"},
+    {"V", "next view: single, split, overlay, flat"},
+    {"G", "ghost of the object"},
+    {"E", "light, error map, normals"},
+    {"O", "a polygon at the probe"},
     {"T", "light or dark theme"},
 };
 constexpr Line kWork[]{

@@ -31,6 +31,7 @@ bool press_object_key(Scene& scene, ImGuiKey key) {
         case ImGuiKey_V: scene.view = static_cast<ViewMode>((static_cast<int>(scene.view) + 1) % 4); return true;
         case ImGuiKey_E: scene.color = static_cast<SurfaceColor>((static_cast<int>(scene.color) + 1) % 3); return true;
         case ImGuiKey_G: scene.show.ghost = !scene.show.ghost; return true;
+        case ImGuiKey_O: scene.show.polygon = !scene.show.polygon; return true;
         case ImGuiKey_R: scene.stack = {Scale{}}; return true;
         default: return false;
     }

@@ -8,7 +8,7 @@ from support import CommandTest, close_to
 
 RULES = ["naive", "inverse-transpose", "cofactor"]
 KEYS = ["program", "renderer", "gl_version", "context", "mistake", "power", "M", "affine", "determinant", "rank", "condition", "normal_matrix", "error_degrees", "worst_dot", "surface", "probe", "pinned", "flat"]
-PROBE_KEYS = ["point_object", "point_world", "n_object", "n_world", "tangents_object", "tangents_world", "dots", "f", "gradient"]
+PROBE_KEYS = ["point_object", "point_world", "n_object", "n_world", "tangents_object", "tangents_world", "polygon_object", "polygon_world", "dots", "f", "gradient"]
 
 
 def dot(a, b):
@@ -67,6 +67,16 @@ class NumbersTest(CommandTest):
             close_to(self, [row["error_degrees"] for row in pinned][1:], [0, 0], 1)
             self.assertGreater(pinned[0]["error_degrees"], 55)
         self.assertEqual(self.numbers()["pinned"], [])
+
+    def test_a_polygon(self):
+        probe = self.numbers("slide-scale", "--set", "surface={\"shape\":\"cube\"}", "--set", "show.polygon=true", "--set", "probe=[0.3,1,0.2]")["probe"]
+        self.assertEqual(len(probe["polygon_object"]), 4)
+        for before, after in zip(probe["polygon_object"], probe["polygon_world"], strict=True):
+            close_to(self, [abs(x) for x in before], [1, 1, 1])
+            close_to(self, after, [before[0] / 2, 2 * before[1], before[2]])
+        a, b, c, _ = probe["polygon_object"]
+        close_to(self, probe["tangents_object"], [[q - p for p, q in zip(a, b)], [q - p for p, q in zip(b, c)]])
+        self.assertIsNone(self.numbers()["probe"]["polygon_object"])
 
     def test_between_the_two_rules(self):
         for power, bound in (1, 61.928), (0, 36.870), (-1, 0):

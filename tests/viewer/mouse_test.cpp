@@ -2,6 +2,7 @@
 
 #include "viewer/hosted.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace normalscope {
@@ -273,6 +274,25 @@ TEST_F(MouseTest, PPinsTheProbesPointAndNoMoreThanFour) {
         key(ImGuiMod_Ctrl | ImGuiKey_Z);
         EXPECT_EQ(scene(), before);
     }
+}
+
+TEST_F(MouseTest, OPutsAPolygonInTheProbesPlaceAndAClickChoosesItsFace) {
+    Scene cube = light("identity");
+    cube.surface = ShapeSurface{.shape = Shape::Cube};
+    start(cube);
+    const auto normal = [&] { return viewer().frame()->probe->object.normal.xyz; };
+    key(ImGuiKey_O);
+    EXPECT_TRUE(scene().show.polygon);
+    click(pixel({0.3, 1.0, 0.3}));
+    EXPECT_EQ(normal(), glm::dvec3(0, 1, 0));
+    EXPECT_EQ(viewer().frame()->probe->object.polygon.size(), 4u);
+    click(pixel({0.2, -0.2, 1.0}));
+    EXPECT_EQ(normal(), glm::dvec3(0, 0, 1));
+    const auto& labels = viewer().frame()->panes[0].labels;
+    EXPECT_TRUE(std::ranges::count(labels, "MH", &Label::text) == 1);
+    for (int i = 0; i < 3; ++i) key(ImGuiMod_Ctrl | ImGuiKey_Z);
+    EXPECT_EQ(scene(), cube);
+    EXPECT_TRUE(viewer().frame()->probe->object.polygon.empty());
 }
 
 TEST_F(MouseTest, AKnobCatchesAtWholeNumbers) {

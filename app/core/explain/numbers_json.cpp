@@ -27,6 +27,13 @@ Json probe_json(const ProbeInWorld& p, const ImplicitSurface* implicit) {
     if (!p.affine) j["true_normal"] = json_or_null(p.truth, vector);  // otherwise a rule's, above
     j["tangents_object"] = any ? pair(p.object.tangents) : Json(nullptr);
     j["tangents_world"] = any ? pair(p.tangents) : Json(nullptr);
+    const auto corners = [&](const auto& polygon) {
+        Json list = Json::array();
+        for (const auto& corner : polygon) list.push_back(vector(corner));
+        return list.empty() ? Json(nullptr) : list;
+    };
+    j["polygon_object"] = corners(p.object.polygon);
+    j["polygon_world"] = corners(p.polygon);
     j["dots"] = json_by_rule(p.dots, [](const auto& d) {
         return json_or_null(d, [](const auto& v) { return Json::array({json_number(v[0]), json_number(v[1])}); });
     });

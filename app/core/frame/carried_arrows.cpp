@@ -22,13 +22,18 @@ glm::dvec3 between(const glm::dvec3& a, const glm::dvec3& b, double t) {
     return glm::mix(la, lb, t) * direction;
 }
 
+// Where an arrow stands in each space, and on its way: M3 takes it to `turned`, and the translation to the world.
+struct Stand {
+    glm::dvec3 object, turned, world;
+};
+
 class Lines {
 public:
     Lines(const DerivationAt& at, const ProbeInWorld& probe, const glm::dmat3& m3, const glm::dvec3& n_world)
         : at_(at),
-          object_(probe.object.point.xyz),
-          world_(probe.point.xyz),
-          turned_(m3 * object_),
+          point_(stand(m3, probe.object.point, probe.point)),
+          edge_(!probe.polygon.empty()),
+          edge_from_(edge_ ? stand(m3, probe.object.polygon[at.tangent], probe.polygon[at.tangent]) : point_),
           n_obj_(probe.object.normal.xyz),
           v_obj_(probe.object.tangents.at(at.tangent).xyz),
           n_world_(n_world),
@@ -39,68 +44,82 @@ public:
         using enum DerivationLine;
         switch (at_.line) {
             case Given:
-                add(object_, n_obj_, "n object", Meaning::Object);
-                add(object_, v_obj_, "v object", Meaning::Tangent);
+                n(point_.object, n_obj_, "n object", Meaning::Object);
+                v(edge_from_.object, v_obj_, "v object");
                 result_.right_angle = {0, 1};
                 break;
             case Wanted:
-                add(world_, n_world_, "n world", Meaning::InverseTranspose);
-                add(world_, v_world_, "v world", Meaning::Tangent);
+                n(point_.world, n_world_, "n world");
+                v(edge_from_.world, v_world_, "v world");
                 result_.right_angle = {0, 1};
                 break;
             case Tangent:
             case AsMatrices:
             case TransposedTwice: {
                 const double t = at_.line == Tangent ? at_.carried : 1.0;
-                add(world_, n_world_, "n world", Meaning::InverseTranspose);
-                carry(v_obj_, v_world_, t, "M₃ v object", Meaning::Tangent);
-                add(object_, v_obj_, "v object", Meaning::Tangent, true);
+                n(point_.world, n_world_, "n world");
+                const auto [base, vector] = on_the_way(edge_from_, v_obj_, v_world_, t);
+                v(base, vector, "M₃ v object");
+                v(edge_from_.object, v_obj_, "v object", true);
                 if (t >= 1.0) result_.right_angle = {0, 1};
                 break;
             }
             case ProductOfTransposes:
             case AsDotProduct: {
                 const double t = at_.line == ProductOfTransposes ? at_.carried : 1.0;
-                add(object_, v_obj_, "v object", Meaning::Tangent);
-                carry(back_, n_world_, 1.0 - t, "M₃ᵀ n world", Meaning::InverseTranspose);
-                add(world_, n_world_, "n world", Meaning::InverseTranspose, true);
-                if (t >= 1.0) result_.right_angle = {0, 1};
+                const auto [base, vector] = on_the_way(point_, back_, n_world_, 1.0 - t);
+                v(edge_from_.object, v_obj_, "v object");
+                n(base, vector, "M₃ᵀ n world");
+                n(point_.world, n_world_, "n world", Meaning::InverseTranspose, true);
+                if (t >= 1.0) result_.right_angle = {1, 0};
                 break;
             }
             case SameDirection:
-                add(object_, n_obj_, "n object", Meaning::Object);
-                add(object_, back_, "M₃ᵀ n world", Meaning::InverseTranspose);
+                n(point_.object, n_obj_, "n object", Meaning::Object);
+                n(point_.object, back_, "M₃ᵀ n world");
                 break;
             case Solved:
-            case Rule:
-                carry(n_obj_, n_world_, at_.line == Solved ? at_.carried : 1.0, "(M₃⁻¹)ᵀ n object",
-                      Meaning::InverseTranspose);
-                add(world_, v_world_, "v world", Meaning::Tangent);
-                add(object_, n_obj_, "n object", Meaning::Object, true);
+            case Rule: {
+                const auto [base, vector] =
+                    on_the_way(point_, n_obj_, n_world_, at_.line == Solved ? at_.carried : 1.0);
+                n(base, vector, "(M₃⁻¹)ᵀ n object");
+                v(edge_from_.world, v_world_, "v world");
+                n(point_.object, n_obj_, "n object", Meaning::Object, true);
                 if (at_.line == Rule || at_.carried >= 1.0) result_.right_angle = {0, 1};
                 break;
+            }
         }
         return std::move(result_);
     }
 
 private:
-    void add(const glm::dvec3& base, const glm::dvec3& vector, std::string name, Meaning meaning, bool quiet = false) {
+    static Stand stand(const glm::dmat3& m3, const Point<Object>& object, const Point<World>& world) {
+        return {object.xyz, m3 * object.xyz, world.xyz};
+    }
+    void n(const glm::dvec3& base, const glm::dvec3& vector, std::string name,
+           Meaning meaning = Meaning::InverseTranspose, bool quiet = false) {
         result_.arrows.push_back({base, vector, std::move(name), meaning, quiet});
     }
-    // From the object, at 0, to the world, at 1: M3 first, and then the translation, which moves the place and leaves the
-    // vector as it is.
-    void carry(const glm::dvec3& in_object, const glm::dvec3& in_world, double t, std::string name, Meaning meaning) {
-        const bool translates = glm::length(world_ - turned_) > 1e-9 * (1.0 + glm::length(world_));
+    void v(const glm::dvec3& base, const glm::dvec3& vector, std::string name, bool quiet = false) {
+        result_.arrows.push_back({base, vector, std::move(name), Meaning::Tangent, quiet, edge_});
+    }
+    // Base and vector from the object, at 0, to the world, at 1: M3 first, and then the translation, which moves the place
+    // and leaves the vector as it is.
+    static std::pair<glm::dvec3, glm::dvec3> on_the_way(const Stand& stand, const glm::dvec3& in_object,
+                                                        const glm::dvec3& in_world, double t) {
+        const bool translates = glm::length(stand.world - stand.turned) > 1e-9 * (1.0 + glm::length(stand.world));
         const double by_m3 = translates ? 0.6 : 1.0;  // of the time
         const double share = std::min(t / by_m3, 1.0);
-        const glm::dvec3 base = t < by_m3 || !translates ? glm::mix(object_, translates ? turned_ : world_, share)
-                                                         : glm::mix(turned_, world_, (t - by_m3) / (1.0 - by_m3));
-        add(base, between(in_object, in_world, share), std::move(name), meaning);
+        const glm::dvec3 base = t < by_m3 || !translates
+                                    ? glm::mix(stand.object, translates ? stand.turned : stand.world, share)
+                                    : glm::mix(stand.turned, stand.world, (t - by_m3) / (1.0 - by_m3));
+        return {base, between(in_object, in_world, share)};
     }
 
     const DerivationAt& at_;
-    glm::dvec3 object_, world_;
-    glm::dvec3 turned_;  ///< M3 p, before the translation
+    Stand point_;
+    bool edge_;        ///< v is one of H's
+    Stand edge_from_;  ///< where v begins
     glm::dvec3 n_obj_, v_obj_, n_world_, v_world_;
     glm::dvec3 back_;  ///< M3ᵀ n_world
     CarriedArrows result_;

@@ -45,13 +45,14 @@ struct CarriedArrow {
     glm::dvec3 base{0.0}, vector{0.0};
     std::string name;
     Meaning meaning = Meaning::Plain;
-    bool quiet = false;  ///< where one that is carried has come from
+    bool quiet = false;     ///< where one that is carried has come from
+    bool to_scale = false;  ///< an edge of H or MH, from corner to corner
 };
 
 /// What a line shows.
 struct CarriedArrows {
     std::vector<CarriedArrow> arrows;
-    /// Two of them, by their places in the list, that make a right angle, once nothing is on its way.
+    /// Two of them, the normal first, by their places in the list, that make a right angle, once nothing is on its way.
     std::optional<std::array<std::size_t, 2>> right_angle;
 };
 

@@ -171,6 +171,12 @@ void add_ball(Solids& solids, const glm::dvec3& centre, double radius, const glm
         }
 }
 
+void add_polygon(Solids& solids, std::span<const glm::dvec3> corners, const glm::vec4& color) {
+    const glm::dvec3 unlit(0.0);
+    for (std::size_t i = 2; i < corners.size(); ++i)
+        add_triangle(solids, {corners[0], unlit}, {corners[i - 1], unlit}, {corners[i], unlit}, color);
+}
+
 void add_patch(Solids& solids, const glm::dvec3& centre, const glm::dvec3& half_u, const glm::dvec3& half_v,
                const glm::vec4& color) {
     const glm::dvec3 unlit(0.0);

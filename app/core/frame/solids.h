@@ -36,6 +36,8 @@ void add_tube(Solids& solids, std::span<const glm::dvec3> points, double radius,
 void add_cube(Solids& solids, const glm::dvec3& centre, const glm::dvec3& direction, double half,
               const glm::vec4& color);
 void add_ball(Solids& solids, const glm::dvec3& centre, double radius, const glm::vec4& color);
+/// A flat, unlit, convex polygon, seen from both sides.
+void add_polygon(Solids& solids, std::span<const glm::dvec3> corners, const glm::vec4& color);
 /// A flat, unlit parallelogram about `centre`, seen from both sides.
 void add_patch(Solids& solids, const glm::dvec3& centre, const glm::dvec3& half_u, const glm::dvec3& half_v,
                const glm::vec4& color);

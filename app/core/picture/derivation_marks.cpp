@@ -19,7 +19,7 @@ void add_derivation_marks(Pane& pane, const Scene& scene, const ProbeInWorld& pr
     const double radius = std::max(0.022 * unit, 1.7 * pixel);
     // What M makes very long or short is still an arrow in the picture.
     const auto drawn = [&](const CarriedArrow& arrow) {
-        const double length = glm::length(arrow.vector);
+        const double length = arrow.to_scale ? 0.0 : glm::length(arrow.vector);
         return length > 0.0 ? unit * std::clamp(length, 0.35, 2.2) / length * arrow.vector : arrow.vector;
     };
     const auto color_of = [&](const CarriedArrow& arrow) {
@@ -46,6 +46,7 @@ void add_derivation_marks(Pane& pane, const Scene& scene, const ProbeInWorld& pr
     for (const glm::dvec3& at : {probe.object.point.xyz, probe.point.xyz})
         add_ball(pane.solids, at, 1.6 * radius, glm::vec4(theme_colors(scene.theme).text, 1.0f));
     if (shown.right_angle) {
+        // At the first of them, the normal: an edge of H may stand somewhere else.
         const CarriedArrow &a = shown.arrows[(*shown.right_angle)[0]], &b = shown.arrows[(*shown.right_angle)[1]];
         const double side = 0.2 * unit;
         const glm::dvec3 u = side * glm::normalize(a.vector), v = side * glm::normalize(b.vector);

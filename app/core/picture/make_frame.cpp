@@ -9,11 +9,13 @@
 #include "core/picture/framing.h"
 #include "core/picture/handle_marks.h"
 #include "core/picture/pinned_marks.h"
+#include "core/picture/polygon_marks.h"
 #include "core/picture/probe_marks.h"
 #include "core/picture/ray_marks.h"
 #include "core/picture/sheet_marks.h"
 #include "core/picture/singular_marks.h"
 #include "core/picture/slice_marks.h"
+#include "core/surface/face_polygon.h"
 #include "core/surface/surface_probe.h"
 
 #include <glm/common.hpp>
@@ -310,6 +312,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     else
         probe = probe_in_view(*frame.surface, m, view, 0.5 * glm::dvec2(frame.panes.front().rect.size), scene.borrow);
     if (probe && !m.reaches(probe->point)) probe.reset();
+    if (probe && scene.show.polygon) probe = with_polygon(*probe, *frame.surface);
     if (probe) frame.probe = in_world(*probe, m, scene, options.right_power);
     if (probe && probe->singular) frame.singular = singular_point(*frame.surface->implicit, probe->point, scene.borrow);
     if (scene.ray) frame.ray = ray_steps(scene, *frame.surface, m, view);
@@ -323,6 +326,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         add_arrows(pane, scene, m, frame.probe, options);
         keep_clear_of_arrows(pane, frame.surface->arrows);
         if (scene.show.axes) add_axes(pane, scene, frame.surface->extent, options);
+        if (frame.probe) add_polygon_marks(pane, scene, *frame.probe, ghost, options);
         if (frame.probe) add_probe_marks(pane, scene, *frame.probe, drawn_arrows(scene, m, pane.rule), options);
         if (frame.probe && options.derivation) add_derivation_marks(pane, scene, *frame.probe, m, options);
         add_sheet_marks(pane, scene, frame, m, ghost, options);

@@ -48,9 +48,14 @@ std::vector<SymbolArrow> symbol_arrows(const ProbeInWorld& probe, const Scene& s
     };
     add({.symbol = Symbol::NObject}, from, probe.object.normal.xyz, length,
         arrow_color(ArrowKind::Object, scene.theme));
+    const bool edges = !probe.polygon.empty();
     for (std::size_t k = 0; k < 2; ++k) {
-        add({.symbol = Symbol::VObject, .tangent = k}, from, probe.object.tangents[k].xyz, 0.6 * length, kTangentColor);
-        add({.symbol = Symbol::VWorld, .tangent = k}, to, probe.tangents[k].xyz, 0.6 * length, kTangentColor);
+        const glm::dvec3 v_object = probe.object.tangents[k].xyz, v_world = probe.tangents[k].xyz;
+        const auto as_long = [&](const glm::dvec3& v) { return edges ? glm::length(v) : 0.6 * length; };
+        add({.symbol = Symbol::VObject, .tangent = k}, edges ? probe.object.polygon[k].xyz : from, v_object,
+            as_long(v_object), kTangentColor);
+        add({.symbol = Symbol::VWorld, .tangent = k}, edges ? probe.polygon[k].xyz : to, v_world, as_long(v_world),
+            kTangentColor);
     }
     const auto &naive = probe.normals[Rule::Naive], &inverse_transpose = probe.normals[Rule::InverseTranspose],
                &cofactor = probe.normals[Rule::Cofactor];
@@ -119,7 +124,7 @@ public:
     }
 
     void plane() {
-        if (!scene_.show.tangent_plane || !plane_) return;
+        if (!scene_.show.tangent_plane || !plane_ || !probe_.object.polygon.empty()) return;
         const glm::dvec3 u = 0.56 * length_ * plane_->u, v = 0.56 * length_ * plane_->v;
         const glm::vec4 blue(kTangentColor, 1.0f);
         // Lifted a little, or it would flicker against the surface that it touches.

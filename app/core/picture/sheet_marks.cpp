@@ -27,7 +27,7 @@ class Stack {
 public:
     Stack(Pane& pane, const Probe& probe, double radius, const FrameOptions& options)
         : pane_(pane),
-          probe_(probe),
+          probe_(probe_with(probe.point, probe.normal)),
           spacing_(kSpacing * radius),
           half_(kHalf * radius),
           options_(options),
@@ -91,7 +91,7 @@ private:
     }
 
     Pane& pane_;
-    const Probe& probe_;
+    Probe probe_;  ///< with tangents of unit length
     double spacing_, half_;
     const FrameOptions& options_;
     LabelRoom room_;

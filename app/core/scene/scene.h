@@ -96,6 +96,7 @@ struct Shown {
     bool tangent_plane = true;  ///< at the probe, with the right-angle marks
     bool probe = true;          ///< the probe's own arrows, arc and labels
     bool legend = true;
+    bool polygon = false;       ///< H in the probe's plane's place, with its edges, and MH
     bool sheets = false;        ///< the probe's normal as a stack of sheets, and what crosses them
     bool stretch_axes = false;  ///< the perpendicular directions that M only stretches, and the normals it treats worst
     friend bool operator==(const Shown&, const Shown&) = default;

@@ -144,6 +144,7 @@ void fields(F& f, S& s) {
     f("tangent_plane", s.tangent_plane);
     f("probe", s.probe);
     f("legend", s.legend);
+    f("polygon", s.polygon);
     f("sheets", s.sheets);
     f("stretch_axes", s.stretch_axes);
 }

@@ -103,6 +103,9 @@ ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& world_
         result.normals[r] = n;
         if (n) result.dots[r] = std::array{dot(*n, result.tangents[0]), dot(*n, result.tangents[1])};
     }
+    for (const Point<Object>& corner : probe.polygon)
+        if (world_from_object.reaches(corner)) result.polygon.push_back(world_from_object(corner));
+    if (result.polygon.size() < probe.polygon.size()) result.polygon.clear();
     if (!probe.has_normal()) return result;
     const auto by_inverse = world_from_object(probe.point, probe.normal);
     const Normal<World> by_cofactor = transform_normal_by_cofactor(world_from_object.at(probe.point), probe.normal);

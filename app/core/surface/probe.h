@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace normalscope {
 
@@ -19,6 +20,9 @@ struct Probe {
     bool singular = false;  ///< ∇f is zero here, or does not exist: the point has no normal of its own
     /// The neighbour on the surface that a singular point has borrowed its normal from; empty: normal and tangents are 0.
     std::optional<Point<Object>> borrowed_from{};
+    /// H in its tangent plane, counterclockwise seen from outside, and the first two of its edges are the tangents, as long
+    /// as they are (with_polygon). Empty: there is none.
+    std::vector<Point<Object>> polygon{};
     bool has_normal() const { return !singular || borrowed_from; }
 };
 
@@ -35,6 +39,7 @@ struct ProbeInWorld {
     Probe object;
     Point<World> point;
     std::array<Vector<World>, 2> tangents;         ///< as M sends them there: M3 t where it is affine
+    std::vector<Point<World>> polygon;             ///< MH; empty where there is none, or a corner has no image
     ByRule<std::optional<Normal<World>>> normals;  ///< not normalised
     /// n·t for each rule and tangent; empty where the rule gives no normal.
     ByRule<std::optional<std::array<double, 2>>> dots;

@@ -132,7 +132,7 @@ void picture_section(Scene& scene, const PanelContext& context) {
     ImGui::SetNextItemWidth(width);
     if (segmented(look, "color", color, kColors)) scene.color = static_cast<SurfaceColor>(color);
 
-    static constexpr std::array<Toggle, 8> kToggles{{
+    static constexpr std::array<Toggle, 9> kToggles{{
         {"ghost", "The untransformed object. (G)", &Shown::ghost},
         {"ground grid", "The ground and the object's shadow on it.", &Shown::grid},
         {"axes", "The object's axes; drag their knobs in the picture to stretch it.", &Shown::axes},
@@ -147,6 +147,9 @@ void picture_section(Scene& scene, const PanelContext& context) {
          "axis "
          "and one along the surface cross.",
          &Shown::sheets},
+        {"polygon H",
+         "At the probe, in the tangent plane's place: the face or a pentagon, H, with its edges, and MH. (O)",
+         &Shown::polygon},
     }};
     const float left = ImGui::GetCursorPosX();
     push_small_boxes(look);
@@ -155,11 +158,11 @@ void picture_section(Scene& scene, const PanelContext& context) {
         ImGui::Checkbox(kToggles[i].label, &(scene.show.*kToggles[i].value));
         tip(look, kToggles[i].about);
     }
+    ImGui::SameLine(left + half + gap);
     ImGui::Checkbox("renormalise", &scene.renormalise);
     tip(look,
         "Make the normals unit again at each pixel, after they were interpolated between the vertices: in between "
         "they come out too short.");
-    ImGui::SameLine(left + half + gap);
     ImGui::Checkbox("cull backs", &scene.cull);
     tip(look,
         "Leave out the triangles whose winding shows their back, as many programs do to save time: a reflection "

@@ -64,8 +64,8 @@ void DerivationPanel::header(const Look& look) {
     static constexpr std::array<Segment, 2> kNames{
         {{"names", "Every symbol by its name."},
          {"numbers", "Every symbol by the scene's numbers. A click on a symbol switches it alone."}}};
-    static constexpr std::array<Segment, 2> kTangents{
-        {{"t₁", "v is the probe's first tangent."}, {"t₂", "v is the probe's second tangent."}}};
+    static constexpr std::array<Segment, 2> kTangents{{{"t₁", "v is the probe's first tangent, or H's first edge."},
+                                                       {"t₂", "v is the probe's second tangent, or H's second edge."}}};
     int numbers = shown_.numbers, tangent = static_cast<int>(tangent_);
     ImGui::PushItemWidth(look.px(168));
     if (segmented(look, "##numbers", numbers, kNames)) {

@@ -33,6 +33,34 @@ const CarriedArrow& named(const CarriedArrows& shown, const std::string& name) {
     return *std::ranges::find(shown.arrows, name, &CarriedArrow::name);
 }
 
+// With a polygon in the probe's place v is one of its edges, from corner to corner.
+TEST(CarriedArrows, AnEdgeOfHIsCarriedOntoThatOfMH) {
+    Random random(7);
+    for (int i = 0; i < 100; ++i) {
+        const Case c = any(random);
+        Probe h = c.probe.object;
+        const glm::dvec3 p = h.point.xyz, u = h.tangents[0].xyz, v = h.tangents[1].xyz;
+        h.polygon = {{p - u}, {p + u}, {p + v}};
+        for (std::size_t k = 0; k < 2; ++k) h.tangents.at(k) = h.polygon[k + 1] - h.polygon[k];
+        const ProbeInWorld probe = in_world(h, c.m);
+        for (std::size_t k = 0; k < 2; ++k) {
+            const auto v_at = [&](DerivationLine line, double carried, const char* name) {
+                const CarriedArrow arrow = named(carried_arrows({line, k, carried}, probe, c.m), name);
+                EXPECT_TRUE(arrow.to_scale);
+                return std::array{arrow.base, arrow.base + arrow.vector};
+            };
+            const auto is = [](const std::array<glm::dvec3, 2>& ends, const glm::dvec3& from, const glm::dvec3& to) {
+                return glm::length(ends[0] - from) + glm::length(ends[1] - to) < 1e-9 * (1.0 + glm::length(to));
+            };
+            EXPECT_TRUE(is(v_at(DerivationLine::Given, 1.0, "v object"), h.polygon[k].xyz, h.polygon[k + 1].xyz));
+            EXPECT_TRUE(is(v_at(DerivationLine::Tangent, 0.0, "M₃ v object"), h.polygon[k].xyz, h.polygon[k + 1].xyz));
+            EXPECT_TRUE(
+                is(v_at(DerivationLine::Tangent, 1.0, "M₃ v object"), probe.polygon[k].xyz, probe.polygon[k + 1].xyz));
+            EXPECT_TRUE(is(v_at(DerivationLine::Rule, 1.0, "v world"), probe.polygon[k].xyz, probe.polygon[k + 1].xyz));
+        }
+    }
+}
+
 TEST(CarriedArrows, LinesAreTheDerivationsOwn) {
     Random random(1);
     const Case c = any(random);
