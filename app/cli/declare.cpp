@@ -73,7 +73,7 @@ void add_fail_on_note(CLI::App& app, bool& value) {
 
 void GivenPicture::add_to(CLI::App& app, PictureArguments& arguments) {
     add(app, "--size", size, "WIDTHxHEIGHT", "In pixels");
-    add(app, "--samples", samples, "N", "Samples a pixel, against jagged edges: 1, 2 or 4");
+    add(app, "--samples", samples, "N", "Samples per pixel, against jagged edges: 1, 2 or 4");
     add(app, "--scale", scale, "FACTOR", "Size of words and lines, 0.5 to 8 [as the picture's size has it]");
     add(app, "--ground", ground, "KIND",
         "What is behind the object: scene (a ground with a grid), white, or transparent");

@@ -40,7 +40,7 @@ Declared declare_sweep(CLI::App& root) {
                                "Write what each picture means, as an array in their order; - is standard output");
     add_fail_on_note(app, given->command.fail_on_note);
     add_jobs(app, given->jobs);
-    add(app, "--fps", given->fps, "N", "Pictures a second in a video");
+    add(app, "--fps", given->fps, "N", "Pictures per second in a video");
     return {&app, [given, &sheet, &numbers] {
                 SweepCommand command = given->command;
                 given->picture.read_into(command);

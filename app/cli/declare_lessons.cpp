@@ -60,7 +60,7 @@ Declared declare_animate(CLI::App& root) {
         "a folder")
         .required();
     add(app, "--size", given->size, "WIDTHxHEIGHT", "In pixels");
-    add(app, "--fps", given->fps, "N", "Pictures a second");
+    add(app, "--fps", given->fps, "N", "Pictures per second");
     add(app, "--seconds", given->seconds, "N", "How long each step stands still, 1 to 60");
     add_context(app, given->context);
     return {&app, [given] {

@@ -100,7 +100,7 @@ Declared declare_explain(CLI::App& root) {
     };
     const auto given = std::make_shared<Given>();
     CLI::App& app =
-        *root.add_subcommand("explain", "Print why normals go by the inverse transpose, with the scene's numbers");
+        *root.add_subcommand("explain", "Print why normals need the inverse transpose, with the scene's numbers");
     set_up(app,
            "  normalscope explain\n"
            "  normalscope explain shear --set 'stack.0.shear.xy=2' | less\n"

@@ -45,7 +45,7 @@ void InterfaceState::leave_one_thing(Scene& scene, Requests& requests) {
     } else if (!lecture.player.running()) {
         lecture.leave(scene);
     } else if (ImGui::GetTime() - presented_until > kLater) {
-        question.ask(Asked::LeavingLesson, "Leave the lesson?", "The step stays, to be played with.",
+        question.ask(Asked::LeavingLesson, "Leave the lesson?", "The scene stays open, for you to play with.",
                      {"Leave", "Stay"});
     }
 }

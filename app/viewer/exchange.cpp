@@ -72,7 +72,7 @@ void Viewer::offer() {
     const std::string which = offered_.size() > 1 ? "scenes" : "scene";
     gui_.interface.ask(Asked::Recovering, "Go back to the " + which + " of last time?",
                        offered_.size() > 1
-                           ? "The program ended before they were saved. Ctrl+Z leads from one to the other."
+                           ? "The program ended before they were saved. Ctrl+Z goes from one to the next."
                            : "The program ended before it was saved.",
                        {"Go back", "No"});
 }
@@ -132,7 +132,7 @@ void Viewer::complain(std::string_view line) {
 
 std::string Viewer::description() const {
     const Scene& now = document_.scene;
-    std::string text = (in_lesson() ? lecture().player.step().caption : said_of(now).caption) + " Normals go by the " +
+    std::string text = (in_lesson() ? lecture().player.step().caption : said_of(now).caption) + " Normals follow the " +
                        std::string(name(now.rule)) + " rule.";
     if (frame_ && frame_->probe && frame_->probe->error_degrees)
         text += " At the probe, the naive normal is " + with_decimals(*frame_->probe->error_degrees, 3) +
@@ -233,7 +233,7 @@ void Viewer::copy_link() {
     host_.set_clipboard(host_.address_of(link_of(document_.scene)));
     const auto* mesh = std::get_if<MeshSurface>(&document_.scene.surface);
     gui_.interface.show_note(mesh ? "Copied a link to this scene. It names " + mesh->mesh +
-                                        " but does not hold it: whoever opens the link needs that file there"
+                                        " but does not hold it: anyone who opens the link needs that file, too"
                                   : "Copied a link to this scene: paste it with Ctrl+V, or give it as FILE");
 }
 

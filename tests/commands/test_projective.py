@@ -8,7 +8,7 @@ import unittest
 from support import CommandTest
 
 BENT = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0.3, 1]]
-NOTE = "drawn by triangles"
+NOTE = "drawn as triangles"
 RULES = ("naive", "inverse-transpose", "cofactor")
 
 
@@ -38,7 +38,7 @@ class ProjectiveTest(CommandTest):
             off = math.degrees(math.acos(dot(unit(probe["n_world"][rule]), unit(probe["true_normal"]))))
             self.assertAlmostEqual(off, 9.98, delta=5e-3)
             self.assertGreater(n["worst_dot"][rule], 0.15)
-        # The tangents go by the Jacobian: perpendicular to the true normal, and not to what M3 makes of it.
+        # The tangents are sent through the Jacobian: perpendicular to the true normal, and not to what M3 makes of it.
         for tangent in probe["tangents_world"]:
             self.assertAlmostEqual(dot(tangent, unit(probe["true_normal"])), 0, delta=1e-12)
         found = sorted(abs(d) for d in probe["dots"]["naive"])

@@ -43,6 +43,23 @@ TEST_F(DerivationTest, EachLineHasItsArrows) {
     EXPECT_EQ(scene(), before);
 }
 
+TEST_F(DerivationTest, TheArrowKeysBeginItAndGoOnWhereverOneHasClicked) {
+    start();
+    key(ImGuiKey_D);
+    EXPECT_FALSE(label("n object"));
+    key(ImGuiKey_RightArrow);
+    EXPECT_TRUE(label("n object"));
+    key(ImGuiKey_RightArrow);
+    EXPECT_TRUE(label("n world"));
+    click(ground());
+    const Scene before = scene();
+    key(ImGuiKey_LeftArrow);
+    EXPECT_TRUE(label("n object"));
+    key(ImGuiMod_Alt | ImGuiKey_RightArrow);  // that is the probe's
+    EXPECT_NE(scene(), before);
+    EXPECT_TRUE(label("n object"));
+}
+
 TEST_F(DerivationTest, ATangentIsCarriedWhileOneWatches) {
     begin();
     key(ImGuiKey_RightArrow);

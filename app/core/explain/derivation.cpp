@@ -42,15 +42,16 @@ std::vector<Step> derive(const Parts& p) {
         steps.push_back(step(std::move(id), equals(std::move(left), std::move(right)), std::move(reason)));
     };
     add("given", dot(p.n_obj, p.v_obj), zero(), "what a normal is: it is perpendicular to every tangent v_obj");
-    add("wanted", dot(p.n_world, p.v_world), zero(), "what the normal in the world must be, or it is none");
+    add("wanted", dot(p.n_world, p.v_world), zero(),
+        "what we want: a normal in the world is perpendicular to every tangent v_world");
     add("tangent", dot(p.n_world, multiplied({p.m3, p.v_obj})), zero(),
-        "a tangent is a vector, so it goes by M; its w is 0, so translation drops out and only M₃ counts");
+        "a tangent is a vector, so M carries it along; its w is 0, so translation drops out and only M₃ counts");
     add("as-matrices", multiplied({transposed(p.n_world), p.m3, p.v_obj}), zero(),
         "a dot product is a row times a column: a · b = aᵀ b");
     add("transposed-twice", multiplied({transposed(p.n_world), transposed(m3t), p.v_obj}), zero(),
         "transposing twice changes nothing: M₃ = (M₃ᵀ)ᵀ");
     add("product-of-transposes", multiplied({transposed(m3t_n), p.v_obj}), zero(),
-        "the transpose of a product is the product of the transposes in the other order: (AB)ᵀ = Bᵀ Aᵀ");
+        "the transpose of a product is the product of the transposes in reverse order: (AB)ᵀ = Bᵀ Aᵀ");
     add("as-dot-product", dot(m3t_n, p.v_obj), zero(), "and back: a row times a column is a dot product");
     add("same-direction", m3t_n, p.n_obj,
         "this holds for every tangent v_obj, so M₃ᵀ n_world is perpendicular to the surface, as n_obj is; "
@@ -58,7 +59,7 @@ std::vector<Step> derive(const Parts& p) {
     add("solved", p.n_world, multiplied({inverted(m3t, p.rank), p.n_obj}),
         "multiply by the inverse of M₃ᵀ from the left");
     add("rule", p.n_world, multiplied({transposed(inverted(p.m3, p.rank)), p.n_obj}),
-        "inverting and transposing may change places: (Aᵀ)⁻¹ = (A⁻¹)ᵀ");
+        "inverting and transposing can be swapped: (Aᵀ)⁻¹ = (A⁻¹)ᵀ");
     return steps;
 }
 
@@ -71,7 +72,8 @@ void remark_not_affine(Step& wanted, Step& tangent, Step& solved, const Parts& p
     wanted.remark =
         "M is not affine: n_world is the image of the tangent plane π = (n_obj, −n_obj · p), the first three numbers "
         "of "
-        "(M⁻¹)ᵀ π; and v_world is the Jacobian’s, (M₃ − p′ rᵀ)/w v_obj, with p′ the image of the point p, rᵀ the first "
+        "(M⁻¹)ᵀ π; and v_world comes from the Jacobian, (M₃ − p′ rᵀ)/w v_obj, with p′ the image of the point p, rᵀ the "
+        "first "
         "three numbers of M’s bottom row, and w what p′ was divided by";
     tangent.remark =
         tangent.state == Step::State::Holds
@@ -106,10 +108,10 @@ void remark(std::vector<Step>& steps, const Parts& p, const std::optional<Rule>&
             ": M₃ᵀ n_world is 0, which is perpendicular to every v_obj, and no n_world makes it n_obj; "
             "here the derivation stops";
     } else {
-        at("wanted").remark = p.rank == 2
-                                  ? rank + ", and the tangent plane is flattened to a line here: it has no one normal"
-                              : p.rank == 1 ? rank + ": the surface is flattened to a line, which has no one normal"
-                                            : rank + ": the surface is gone to a point, which has no normal";
+        at("wanted").remark =
+            p.rank == 2   ? rank + ", and the tangent plane is flattened to a line here: it has no single normal"
+            : p.rank == 1 ? rank + ": the surface is flattened to a line, which has no single normal"
+                          : rank + ": the surface has shrunk to a point, which has no normal";
     }
     at("solved").remark = rank + ": there is no inverse";
 }
@@ -140,12 +142,11 @@ HomogeneousDemo homogeneous(const Transform<World, Object>& m, int factors, cons
     HomogeneousDemo demo;
     demo.m = value_of(m.matrix(), factors);
     demo.reason =
-        "the last column of M, the translation, is multiplied by w: by 1 for a point, by 0 for a vector. A normal "
-        "is no point: sent with w = 1 it would pick up the translation";
+        "the last column of M, the translation, is multiplied by w: by 1 for a point, by 0 for a vector. A normal is "
+        "not a point: sent with w = 1, it would pick up the translation";
     if (!m.affine())
         demo.reason =
-            "the bottom row of M is not 0 0 0 1, so M is not affine: it gives a point's w another value, which is "
-            "divided "
+            "the bottom row of M is not 0 0 0 1, so M is not affine: it changes a point's w, which is then divided "
             "out, and what it does to a tangent depends on the place. What is said of M₃ does not hold for all of M";
     if (!probe) return demo;
     demo.before = {value_of(glm::dvec4(probe->point.xyz, 1.0)),

@@ -40,17 +40,16 @@ std::vector<std::string> notes(const Scene& scene, const Transform<World, Object
         }))
         result.emplace_back(
             "A matrix with the bottom row 0 0 0 s is the same map as that matrix divided by s, since points are "
-            "divided by their w, and so it is shown.");
+            "divided by their w. It is shown that way.");
     if (!m.affine())
         result.emplace_back(
-            "M is not affine: its bottom row is not 0 0 0 1. Points are divided by their w, tangents go by the "
-            "Jacobian "
-            "(M₃ − p′ rᵀ)/w at their point, and normals with their tangent planes, by (M⁻¹)ᵀ: no 3×3 matrix does that "
-            "everywhere. Every rule, made from the upper left 3×3, M₃, is an approximation here, and what is said of "
-            "M₃ "
-            "alone is about no more than that.");
+            "M is not affine: its bottom row is not 0 0 0 1. Points are divided by their w, tangents are sent through "
+            "the Jacobian (M₃ − p′ rᵀ)/w at their point, and normals follow their tangent planes, which are sent "
+            "through (M⁻¹)ᵀ: no 3×3 matrix does that everywhere. Every rule, made from the upper left 3×3, M₃, is an "
+            "approximation here, and statements about M₃ are about M₃ alone.");
     if (!m.affine() && m.rank() < 3)
-        result.emplace_back("M has no inverse: it leaves no solid, and planes have no image by (M⁻¹)ᵀ.");
+        result.emplace_back(
+            "M has no inverse: it flattens every solid, and there is no (M⁻¹)ᵀ to send planes through.");
     if (!plainly_naive(scene)) result.push_back(note_on(scene, m, probe));
     if (m.affine() && matrices.rank == 2)
         result.emplace_back(
@@ -59,17 +58,16 @@ std::vector<std::string> notes(const Scene& scene, const Transform<World, Object
             "cofactor matrix still gives the flattened object's normal.");
     if (m.affine() && matrices.rank == 1)
         result.emplace_back(
-            "M₃ has rank 1: it flattens the object to a line. There is no inverse, the cofactor matrix is zero, and no "
-            "normal at all.");
+            "M₃ has rank 1: it flattens the object to a line. There is no inverse, the cofactor matrix is zero, and "
+            "there is no normal at all.");
     if (m.affine() && matrices.rank == 0)
-        result.emplace_back("M₃ is zero: the object is gone to a point. No rule gives a normal.");
+        result.emplace_back("M₃ is zero: the object shrinks to a point. No rule gives a normal.");
     if (m.affine() && matrices.determinant < 0.0)
         result.emplace_back(
             "M₃ reflects (its determinant is negative). The inverse transpose carries gradients, so its normal keeps "
             "pointing "
-            "outward; the cofactor follows the triangles' winding, which the reflection has turned over, so its normal "
-            "is the "
-            "opposite one. Each is right for its own question.");
+            "outward; the cofactor follows the triangles' winding, which the reflection has reversed, so its normal is "
+            "the opposite one. Each is right for its own question.");
     if (const auto k = matrices.condition(); k && *k > 1e4) {
         const int lost = static_cast<int>(std::lround(std::log10(*k)));
         result.push_back("M₃ is nearly singular: its condition number is " + number_text(*k, 0.0, 3) +
@@ -86,7 +84,7 @@ std::vector<std::string> notes(const Scene& scene, const Transform<World, Object
             "Rays bend under an M that is not affine: the picture shows the surface’s triangles, carried along by M.");
     else if (std::holds_alternative<FormulaSurface>(scene.surface) && matrices.rank < 3)
         result.emplace_back(
-            "Without M⁻¹ no ray finds its way to object space: the picture shows the surface's triangles, carried "
+            "Without M⁻¹ no ray can be taken to object space: the picture shows the surface's triangles, carried "
             "along "
             "by M.");
     if (probe && probe->borrowed_from)
@@ -96,9 +94,8 @@ std::vector<std::string> notes(const Scene& scene, const Transform<World, Object
             number_text(glm::distance(probe->borrowed_from->xyz, probe->point.xyz), 0.0, 3) + " away.");
     if (probe && !probe->has_normal())
         result.emplace_back(
-            "At the probe ∇f is zero or does not exist: there is no normal, and the derivation has no numbers. The "
-            "cheap "
-            "remedy is a neighbour's: set borrow.azimuth.");
+            "At the probe ∇f is zero or does not exist: there is no normal, and the derivation has no numbers. A cheap "
+            "remedy is to borrow a neighbour's: set borrow.azimuth.");
     if (!probe)
         result.push_back(
             "The camera sees nothing of the surface" +

@@ -209,7 +209,7 @@ std::string of_decomposition(const Decomposition& d) {
 std::string of_classes(const Explanation& e) {
     const auto yes_no = [](const std::optional<bool>& b) { return std::string(!b ? "--" : *b ? "yes" : "no"); };
     std::string out =
-        "\\subsection*{Classes of maps}\n$\\bullet$ is this $M$; what it is not is shown by an "
+        "\\subsection*{Classes of maps}\n$\\bullet$ is this $M$; the others are shown by an "
         "example.\n\n{\\small\\begin{tabular}{lllllll}\n & class & that is & direction & length & inverse & cofactor "
         "\\\\ "
         "\\hline\n";

@@ -266,7 +266,7 @@ std::string of_decomposition(const Decomposition& d) {
            paragraph(
                "R turns by " + degrees_text(d.degrees) + (d.degrees > 0.0 ? " about " + vector(d.axis) : "") +
                    (d.reflects ? ", after a mirror image in the plane perpendicular to " + vector(d.axis) + "." : ".") +
-                   (d.unique ? "" : " Other rotations do as well, since M₃ has no inverse."),
+                   (d.unique ? "" : " Other rotations would serve as well, since M₃ has no inverse."),
                2);
     for (const StretchAxis& axis : d.axes)
         out += indented({"S stretches " + padded(vector(axis.from.xyz), 28) + " by " + number_text(axis.factor) +
@@ -281,7 +281,7 @@ std::string of_decomposition(const Decomposition& d) {
 }
 
 std::string of_classes(const Explanation& e) {
-    std::string out = heading("Classes of maps: ● is this M; what it is not is shown by an example");
+    std::string out = heading("Classes of maps: ● marks those that M belongs to; the others are shown by an example");
     const auto yes_no = [](const std::optional<bool>& b) { return std::string(!b ? "–" : *b ? "yes" : "no"); };
     out += "    " + padded("class", 15) + padded("that is", 26) + padded("direction", 11) + padded("length", 9) +
            padded("inverse", 9) + "cofactor\n";
@@ -292,11 +292,11 @@ std::string of_classes(const Explanation& e) {
              padded(yes_no(row.claims.naive_length_right), 8) +
              padded(row.claims.inverse_transpose_exists ? "yes" : "no", 9) + std::string(name(row.claims.cofactor))},
             2);
-    out += "\n" + paragraph(
-                      "direction, length: is M₃ n right in it, for every n? inverse: does (M₃⁻¹)ᵀ exist? cofactor: "
-                      "what cof(M₃) n is, next to it. "
-                      "A map that is not affine does something else at every place.",
-                      2);
+    out += "\n" +
+           paragraph(
+               "direction, length: does M₃ n have the right one, for every n? inverse: does (M₃⁻¹)ᵀ exist? cofactor: "
+               "what cof(M₃) n is, compared with (M₃⁻¹)ᵀ n. A map that is not affine acts differently at every point.",
+               2);
     if (e.claims.digits_lost)
         out += "\n" +
                paragraph("How sure: condition number " + number_text(*e.claims.condition, 0.0, 4) +

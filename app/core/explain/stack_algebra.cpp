@@ -25,7 +25,7 @@ std::vector<std::string> observations(const glm::dmat4& a, const NormalMatrices&
     std::vector<std::string> result;
     const glm::dmat3 a3(a), identity(1.0), slide = a3 - identity;
     if (!is_affine(a))
-        result.emplace_back("the bottom row is not 0 0 0 1: not affine, and its 3×3 part is not all of it");
+        result.emplace_back("the bottom row is not 0 0 0 1: not affine, so its 3×3 part does not tell everything");
     if (!matrices.inverse_transpose) {
         result.push_back("no inverse: its rank is " + std::to_string(matrices.rank) +
                          (is_diagonal(a3) ? ", since there is no 1/0" : ", one of its stretch factors is 0"));
@@ -35,21 +35,21 @@ std::vector<std::string> observations(const glm::dmat4& a, const NormalMatrices&
     if (a3 == identity) {
         result.emplace_back(a == glm::dmat4(1.0)
                                 ? "A = I: nothing changes"
-                                : "A₃ = I: the translation is in the last column only, and normals do not see it");
+                                : "A₃ = I: the translation is in the last column only, and does not act on normals");
         return result;
     }
     if (same(n, a3))
         result.emplace_back(
-            "(A⁻¹)ᵀ = A: its columns are perpendicular unit vectors, so inverting transposes it, and transposing takes "
-            "that back");
+            "(A⁻¹)ᵀ = A: its columns are perpendicular unit vectors, so its inverse is its transpose, and transposing "
+            "that gives A again");
     else if (is_diagonal(a3))
         result.emplace_back("only the numbers invert: (S(x, y, z)⁻¹)ᵀ = S(1/x, 1/y, 1/z)");
     else if (same(slide * slide, glm::dmat3(0.0)) || largest_entry(slide * slide) <= kSame * largest_entry(slide))
-        result.emplace_back("(A⁻¹)ᵀ = I − (A − I)ᵀ: the slide is turned back, and the other coordinates slide");
+        result.emplace_back("(A⁻¹)ᵀ = I − (A − I)ᵀ: the shear is reversed, and acts on the other coordinate");
     else if (same(n * (1.0 / n[0].x), a3 * (1.0 / a3[0].x)) && a3[0].x != 0.0)
         result.emplace_back("(A⁻¹)ᵀ is A but for a factor: the direction is the same, the length is not");
     if (matrices.determinant < 0.0)
-        result.emplace_back("the determinant is negative: it reflects, and turns the winding over");
+        result.emplace_back("the determinant is negative: it reflects, and reverses the winding");
     return result;
 }
 
@@ -134,12 +134,12 @@ std::vector<OrderOfInverses> orders_of_inverses(std::span<const StackEntry> stac
         result.push_back(std::move(order));
     };
     add("right", "((AB)⁻¹)ᵀ = (A⁻¹)ᵀ (B⁻¹)ᵀ",
-        "inverting turns the order over, transposing turns it back: the original order", right);
+        "inverting reverses the order, transposing reverses it again: the original order", right);
     add("inverses-not-reversed", "(A⁻¹ B⁻¹)ᵀ = (B⁻¹)ᵀ (A⁻¹)ᵀ", "A⁻¹ B⁻¹ taken for (AB)⁻¹, which is B⁻¹ A⁻¹", reversed);
     add("transposes-not-reversed", "(B⁻¹)ᵀ (A⁻¹)ᵀ", "(XY)ᵀ taken for Xᵀ Yᵀ: the same matrix as the line above",
         reversed);
-    add("neither-reversed", "(A⁻¹)ᵀ (B⁻¹)ᵀ", "both mistakes at once take each other back: right, by luck", right);
-    add("not-transposed", "(AB)⁻¹", "the inverse without the transpose: it goes back to object space", inverse_only);
+    add("neither-reversed", "(A⁻¹)ᵀ (B⁻¹)ᵀ", "the two mistakes cancel out: right, by luck", right);
+    add("not-transposed", "(AB)⁻¹", "the inverse without the transpose: it leads back to object space", inverse_only);
     add("not-inverted", "(AB)ᵀ", "the transpose without the inverse", glm::transpose(m3));
     add("naive", "AB", "neither: the naive rule", m3);
     return result;

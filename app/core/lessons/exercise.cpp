@@ -87,8 +87,8 @@ void scale_one(Exercise& e, Dice& dice) {
     e.task = "M multiplies " + name + " by " + f.text + ".";
     e.hints = {"Does the surface get steeper or flatter here? The normal is perpendicular to it.",
                "The normal’s " + name + " is divided by " + f.text + "."};
-    e.why = "Points go by " + name + " · " + f.text + ", so the normal must go by " + name + " · " + f.inverse +
-            ": the inverse, or it would not stay perpendicular to the tangents.";
+    e.why = "A point’s " + name + " is multiplied by " + f.text + ", so the normal’s must be multiplied by " +
+            f.inverse + ": the inverse, or it would not stay perpendicular to the tangents.";
 }
 
 void scale_two(Exercise& e, Dice& dice) {
@@ -98,7 +98,7 @@ void scale_two(Exercise& e, Dice& dice) {
     e.hints = {"Only the ratio counts: the length of a normal means nothing.",
                std::string("Divide: x by ") + f.text + ", y by " + g.text + "."};
     e.why = std::string("(M₃⁻¹)ᵀ = diag(") + f.inverse + ", " + g.inverse +
-            ", 1): each coordinate by the inverse factor" +
+            ", 1): each coordinate is multiplied by the inverse factor" +
             (f.value == g.value ? "; both are alike here, so the direction stays." : ".");
 }
 
@@ -133,8 +133,8 @@ void mirror(Exercise& e, Dice& dice) {
     e.hints = {"Where is the point now? The normal leads out of the object there.",
                "Divide each coordinate by its factor, sign and all."};
     e.why = std::string(
-        "Each coordinate is divided by its factor, sign and all; so the normal stays on the outside, "
-        "where the mirror has put it.");
+        "Each coordinate is divided by its factor, sign and all; so the normal still points outward on the mirrored "
+        "object.");
 }
 
 void anything(Exercise& e, Dice& dice) {
@@ -155,7 +155,7 @@ void anything(Exercise& e, Dice& dice) {
             "Every factor acts by its own inverse transpose, in the same order: ((R H S)⁻¹)ᵀ = (R⁻¹)ᵀ (H⁻¹)ᵀ (S⁻¹)ᵀ.";
     }
     e.hints = {"Look at the surface about the point, not at M: which way does it face?",
-               "The blue tangents go by M. The normal is perpendicular to both."};
+               "The blue tangents are sent through M. The normal is perpendicular to both."};
 }
 
 void pose(Exercise& e, Dice& dice) {

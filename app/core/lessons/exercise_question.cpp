@@ -30,7 +30,7 @@ Question is_it_rigid(Exercise& e, Dice& dice) {
     e.scene.stack = {Rotate{{0, 0, 1}, degrees}, Translate{{0.4, 0.1, 0}}};
     if (kind > 0) e.scene.stack = {Scale{factors[static_cast<std::size_t>(kind)]}, Rotate{{0, 0, 1}, degrees}};
     e.task = "M " + does[static_cast<std::size_t>(kind)] + ".";
-    e.why = "The naive rule keeps the direction exactly where M₃ stretches alike in every direction.";
+    e.why = "The naive rule keeps the direction exactly where M₃ stretches equally in every direction.";
     return {"What becomes of a normal that is sent through M₃?",
             {{"Right as it is: M is rigid", kind == 0,
               kind == 0 ? "M only turns and moves, so (M₃⁻¹)ᵀ = M₃." : "M scales, so at least the length is wrong."},
@@ -51,7 +51,7 @@ Question which_matrix(Exercise& e, Dice& dice) {
     e.why = "The inverse of a diagonal matrix has the inverse entries, and transposing changes nothing there.";
     Question q{"Which matrix takes the normals to the world?",
                {{diagonal(d), false, "That is M₃, the naive rule."},
-                {diagonal(1.0 / d), true, "Each coordinate by the inverse factor: (M₃⁻¹)ᵀ."},
+                {diagonal(1.0 / d), true, "Each coordinate is multiplied by the inverse factor: (M₃⁻¹)ᵀ."},
                 {diagonal(-d), false, "A sign turns the normal round. It does not undo the scale."},
                 {"The identity", false, "Then the normals would not change, but the tangents do."}}};
     std::rotate(q.choices.begin(), q.choices.begin() + dice.below(4), q.choices.end());
@@ -64,18 +64,18 @@ Question which_rule(Exercise& e, Dice& dice) {
     e.scene.camera.elevation = 15.0;
     e.scene.stack = {Scale{flat ? glm::dvec3(1, 1, 0) : glm::dvec3(-1, 1.5, 1)}};
     e.task = flat ? "M scales z by 0: the object is a flat disc." : "M = diag(−1, 1.5, 1) mirrors and stretches.";
-    e.why =
-        flat ? "The cofactor matrix needs no division." : "Gradients go by the inverse transpose, whatever the sign.";
+    e.why = flat ? "The cofactor matrix needs no division."
+                 : "Gradients are sent through the inverse transpose, whatever the sign.";
     return {flat ? "Which rule still gives the disc’s normal?" : "Which rule keeps the normals on the outside?",
             {{"M n", false,
               flat ? "It sends the normal of the disc, (0, 0, 1), to zero."
                    : "It stretches normals along with the points."},
              {"(M⁻¹)ᵀ n", !flat,
               flat ? "M has no inverse, so there is none."
-                   : "It carries gradients: what was outside stays outside, also in the mirror."},
+                   : "It carries gradients: what was outside stays outside, even in the mirror."},
              {"cof(M) n", flat,
               flat ? "It is made of 2×2 determinants, and exists for every M."
-                   : "It follows the winding, which the mirror turns over: it points inward here."}}};
+                   : "It follows the winding, which the mirror reverses: it points inward here."}}};
 }
 
 }  // namespace

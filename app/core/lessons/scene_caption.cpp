@@ -16,7 +16,7 @@ std::string about(const NormalMatrices& m) {
         return "The object is flattened: M has no inverse, and the cofactor matrix still gives its normal.";
     if (m.rank < 2) return "M leaves no surface: there is no normal.";
     const double bound = m.error_bound_degrees().value_or(0.0);
-    if (bound < 1e-6) return "M stretches alike in every direction: M n has the right direction.";
+    if (bound < 1e-6) return "M stretches equally in every direction: M n has the right direction.";
     return "M stretches unevenly: M n is off by up to " + degrees(bound) + ".";
 }
 
@@ -25,7 +25,7 @@ std::string about(const NormalMatrices& m) {
 std::string said_of_m(const Scene& scene) {
     const Transform<World, Object> m = world_from_object(scene);
     return m.affine() ? about(m.normal_matrices_by_rule())
-                      : "M is not affine: normals go with their tangent planes, and no 3×3 rule is right.";
+                      : "M is not affine: normals follow their tangent planes, and no 3×3 rule is right.";
 }
 
 SceneSaid said_of(const Scene& scene) {

@@ -240,8 +240,8 @@ void add_legend(Frame& frame, const Scene& scene, const WorldFromObject& m) {
 }
 
 constexpr std::string_view kDrawnByTriangles =
-    "M is not affine, so that its formula's surface is drawn by triangles and not met by a ray for each pixel; its "
-    "outline and its light are as fine as these";
+    "M is not affine, so the formula's surface is drawn as triangles instead of being traced pixel by pixel; its "
+    "outline and its shading are as coarse as they are";
 
 // What gives the normals of this half.
 void add_title(Pane& pane, const Scene& scene) {
@@ -264,6 +264,20 @@ std::optional<Scene> drawn_instead(const Scene& scene, const Surface& surface, b
         less.arrows.show = std::vector<ArrowKind>{};
     }
     return less == scene ? std::nullopt : std::optional(std::move(less));
+}
+
+// Where the probe is, the points that are kept beside it, and where the ray goes.
+void find_probe(Frame& frame, const Scene& scene, const WorldFromObject& m, double right_power) {
+    const Surface& surface = *frame.surface;
+    const Pane& pane = frame.panes.front();
+    auto probe = scene.probe ? nearest_probe(surface, *scene.probe, scene.borrow)
+                             : probe_in_view(surface, m, pane.view, 0.5 * glm::dvec2(pane.rect.size), scene.borrow);
+    if (probe && !m.reaches(probe->point)) probe.reset();
+    if (probe && scene.show.polygon) probe = with_polygon(*probe, surface);
+    if (probe) frame.probe = in_world(*probe, m, scene, right_power);
+    if (probe && probe->singular) frame.singular = singular_point(*surface.implicit, probe->point, scene.borrow);
+    frame.pinned = pinned_probes(scene, surface, m, right_power);
+    if (scene.ray) frame.ray = ray_steps(scene, surface, m, pane.view);
 }
 
 }  // namespace
@@ -305,19 +319,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     frame.panes = empty_panes(scene, options.rect);
     for (Pane& pane : frame.panes) pane.view = pane.view.reaching(farthest_depth(*frame.surface, m, pane.view));
 
-    std::optional<Probe> probe;
-    const CameraView& view = frame.panes.front().view;
-    if (scene.probe)
-        probe = nearest_probe(*frame.surface, *scene.probe, scene.borrow);
-    else
-        probe = probe_in_view(*frame.surface, m, view, 0.5 * glm::dvec2(frame.panes.front().rect.size), scene.borrow);
-    if (probe && !m.reaches(probe->point)) probe.reset();
-    if (probe && scene.show.polygon) probe = with_polygon(*probe, *frame.surface);
-    if (probe) frame.probe = in_world(*probe, m, scene, options.right_power);
-    if (probe && probe->singular) frame.singular = singular_point(*frame.surface->implicit, probe->point, scene.borrow);
-    if (scene.ray) frame.ray = ray_steps(scene, *frame.surface, m, view);
-    frame.pinned = pinned_probes(scene, *frame.surface, m, options.right_power);
-
+    find_probe(frame, scene, m, options.right_power);
     const std::shared_ptr<const LevelSets> slice =
         options.level_sets ? options.level_sets : level_sets(scene, frame.surface->implicit.get());
     for (Pane& pane : frame.panes) {

@@ -98,40 +98,42 @@ MistakeText text(Mistake mistake) {
     switch (mistake) {
         case Mistake::Naive:
             return {"naive", "M n",
-                    "A normal is not a vector between two points: it must keep its right angle, not its ends."};
+                    "A normal does not lead from one point to another: what it must keep is its right angle to the "
+                    "surface."};
         case Mistake::InversesNotReversed:
-            return {"inverses not reversed", "(A⁻¹B⁻¹)ᵀ n", "(AB)⁻¹ is B⁻¹A⁻¹: inverting turns the order over."};
+            return {"inverses not reversed", "(A⁻¹B⁻¹)ᵀ n", "(AB)⁻¹ is B⁻¹A⁻¹: inverting reverses the order."};
         case Mistake::NotTransposed: return {"not transposed", "M⁻¹ n", "The inverse alone goes back to object space."};
         case Mistake::NotInverted:
             return {"not inverted", "Mᵀ n", "The transpose alone undoes rotations and keeps the scales."};
         case Mistake::WOne:
             return {"w = 1", "M (n, 1)",
-                    "A normal sent as a point takes the translation along: the farther the object moves, the more all "
-                    "normals agree."};
+                    "A normal sent as a point takes the translation along: the farther the object moves, the more "
+                    "alike all normals become."};
         case Mistake::LeakingTranslation:
             return {"translation in w", "(M⁻¹)ᵀ (n, 0)",
                     "The 4×4 inverse transpose writes the translation into w; normalised with it, the normal is too "
                     "short and the light too dim."};
         case Mistake::ModelView:
-            return {"mat3(modelView)", "mat3(V M) n",
-                    "The view only rotates, so this is the naive rule in another dress: right until someone scales "
-                    "unevenly."};
+            return {
+                "mat3(modelView)", "mat3(V M) n",
+                "The view only rotates, so this is the naive rule in disguise: right until someone scales unevenly."};
         case Mistake::DivideByScaleSquared:
             return {"divided by scale²", "M n / s²",
-                    "Dividing each column by its squared length inverts scales after which one only rotates. A shear "
-                    "breaks it."};
+                    "Dividing each column by its squared length inverts a scale, even one that a rotation follows. A "
+                    "shear breaks it."};
         case Mistake::NoRenormalisation:
             return {"not renormalised", "(M⁻¹)ᵀ n, as long as it is",
                     "The direction is right, the length is not: light comes out too bright or too dim."};
         case Mistake::ZeroNormal:
             return {"zero normal", "M n / |M n|",
-                    "Flattened, some normals become zero; divided by their length they become NaN, and black spots."};
+                    "Flattened, some normals become zero; divided by their length they become NaN, which shows as "
+                    "black spots."};
         case Mistake::TangentsByInverseTranspose:
             return {"tangents by (M⁻¹)ᵀ", "(M⁻¹)ᵀ v",
-                    "Tangents join points of the surface: they go by M, or they leave it."};
+                    "Tangents join points of the surface: unless they are sent through M, they leave it."};
         case Mistake::TangentsByCofactor:
             return {"tangents by cof(M)", "cof(M) v",
-                    "The cofactor is for surface elements, two tangents at once; one alone goes by M."};
+                    "The cofactor is for surface elements, two tangents at once; a single one is sent through M."};
     }
     return {};
 }

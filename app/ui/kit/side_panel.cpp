@@ -93,7 +93,7 @@ void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& me
     tab_row(look, tabs, memory, row);
     ImGui::SameLine(width - close - look.px(8));
     const bool closed =
-        icon_button(look, "##close", {.icon = Icon::Close, .about = "Close: the picture has the room again."});
+        icon_button(look, "##close", {.icon = Icon::Close, .about = "Close, and give the picture the room."});
 
     const std::size_t open = *memory.open;
     if (only_tabs || !tabs[open].draw) {  // or it was chosen just now

@@ -8,8 +8,8 @@ namespace normalscope {
 namespace {
 
 constexpr const char* kUnmoved =
-    "The arrow has not been moved yet: it points as the normal does on the object. Check (Enter) once more takes it as "
-    "the answer.";
+    "You have not moved the arrow yet: it still points as the normal does on the object. Check (Enter) again to answer "
+    "with it.";
 
 }  // namespace
 

@@ -181,8 +181,8 @@ void Lecture::draw(const Look& look, Scene& scene, ImVec2 strip_low, ImVec2 stri
     Speech speech = player.running() ? all[player.number()] : all.front();
     if (announced_ != Announced::Nothing)
         if (const auto lesson = announced_ == Announced::Next ? next_lesson() : previous_lesson())
-            speech = {(announced_ == Announced::Next ? "Next lesson: " : "The lesson before: ") + lesson->title +
-                          ". Once more opens it.",
+            speech = {(announced_ == Announced::Next ? "Next lesson: " : "Previous lesson: ") + lesson->title +
+                          ". Press again to open it.",
                       {},
                       {},
                       {}};

@@ -153,7 +153,7 @@ void range_editor(const Look& look, const char* letter, Range& range) {
     const bool pressed =
         ImGui::Button(label.c_str(), {ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight() + look.px(2)});
     ImGui::PopFont();
-    tip(look, "From where to where the slider goes; any value can be typed into it.");
+    tip(look, "The slider's range; any value can be typed into it.");
     if (pressed) ImGui::OpenPopup("##range");
     if (!ImGui::BeginPopup("##range")) return;
     ImGui::TextUnformatted((std::string(letter) + " goes").c_str());

@@ -91,7 +91,7 @@ void gradient_readout(const Look& look, const Frame& frame, std::optional<Writte
     }
     const std::string step = "h = " + number_text(report.step);
     const std::string differences =
-        "Central differences, (f(x + h) − f(x − h)) / 2h and so on, with " + step + ", made of unit length.";
+        "Central differences, (f(x + h) − f(x − h)) / 2h and so on, with " + step + ", scaled to unit length.";
     row(look, c, "differences", report.differences.vector, off_by(report.differences.degrees_off), differences.c_str());
     row(look, c, "polygon", report.polygon ? std::optional(report.polygon->vector) : std::nullopt,
         off_by(report.polygon ? report.polygon->degrees_off : std::nullopt),

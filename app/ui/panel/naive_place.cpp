@@ -95,12 +95,11 @@ void power_slider(const Look& look, Scene& scene, float width) {
     const bool moved = ImGui::SliderScalar("##power", ImGuiDataType_Double, &power, &first, &last, "%.3g");
     ImGui::PopStyleColor(3);
     if (!typing) draw_way(look, scene.power, inverse);
-    tip(look,
-        inverse ? "Bends the orange arrows from M n to (M⁻¹)ᵀ n. M₃ = R S is a stretch, then a rotation; they go by "
-                  "R Sᵖ: with p = 1 that is M₃, with 0 the rotation alone, with −1 the inverse transpose. They are "
-                  "right at that end, and nowhere before it."
-                : "Bends the orange arrows from M n to the rotation alone, by R Sᵖ where M₃ = R S is a stretch, then a "
-                  "rotation. It ends there: M has no inverse, and below p = 0 a stretch of 0 would be divided by.");
+    tip(look, inverse ? "Bends the orange arrows from M n to (M⁻¹)ᵀ n. M₃ = R S is a stretch, then a rotation; they "
+                        "are sent through R Sᵖ: with p = 1 that is M₃, with 0 the rotation alone, with −1 the inverse "
+                        "transpose. They are right at that end, and nowhere before it."
+                      : "Bends the orange arrows from M n to the rotation alone, by R Sᵖ where M₃ = R S is a stretch, "
+                        "then a rotation. It ends there: M has no inverse, and p < 0 would divide by a stretch of 0.");
     if (!moved) return;
     scene.power = std::clamp(caught(power), inverse ? -1.0 : 0.0, 1.0);
     if (can_choose(scene, Rule::Naive)) scene.rule = Rule::Naive;  // so that the light follows

@@ -166,7 +166,7 @@ void picture_section(Scene& scene, const PanelContext& context) {
     ImGui::Checkbox("cull backs", &scene.cull);
     tip(look,
         "Leave out the triangles whose winding shows their back, as many programs do to save time: a reflection "
-        "turns the winding over, and what is left is the far side.");
+        "reverses the winding, and what is left is the far side.");
     ImGui::PopStyleVar();
 
     dim_text(look, "light from");

@@ -74,7 +74,8 @@ void where_and_whither(const Look& look, const ProbeInWorld& probe, const Scene&
     heading(look, c, "", kWords);
     const ImVec4 grey = look.dim;
     coordinates(look, c, "p object", grey, probe.object.point.xyz, false, "The probe on the untransformed object.");
-    coordinates(look, c, "p world", look.text, probe.point.xyz, false, "M p: points go by M, translation included.");
+    coordinates(look, c, "p world", look.text, probe.point.xyz, false,
+                "M p: a point is sent through all of M, translation included.");
     coordinates(look, c, "n object", grey,
                 probe.object.has_normal() ? std::optional(probe.object.normal.xyz) : std::nullopt, true,
                 "The object's normal there, of unit length.");
@@ -132,9 +133,8 @@ void dots(const Look& look, const ProbeInWorld& probe, const Scene& scene, std::
         text_right(in_degrees(off), c.right[2]);
         ImGui::EndGroup();
         tip(look, kRules[i] == Rule::Cofactor
-                      ? "180° under a reflection: the cofactor follows the winding, which the "
-                        "mirror has turned over, the inverse "
-                        "transpose keeps pointing outward. Each is right for its own question."
+                      ? "180° under a reflection: the cofactor follows the winding, which the mirror reverses, while "
+                        "the inverse transpose keeps pointing outward. Each is right for its own question."
                       : "The two dot products with the tangents, and the angle to the normal of "
                         "the image: (M⁻¹)ᵀ n, where M is affine.");
     }

@@ -31,8 +31,7 @@ constexpr std::array<RuleButton, 3> kButtons{{
      "pointing outward. (I)"},
     {Rule::Cofactor, "cofactor", "C",
      "cof(M) n, where cof(M) = det(M) (M⁻¹)ᵀ: exists even where M has no inverse. Follows the triangle's winding, "
-     "which a "
-     "reflection turns over. (C)"},
+     "which a reflection reverses. (C)"},
 }};
 
 // The largest font in which the text fits.
@@ -98,7 +97,7 @@ void button(const Look& look, const Scene& scene, const RuleButton& b, bool exis
         (exists
              ? ""
              : "\n\nNot here: this M has no inverse. It can still be chosen; the surface is then drawn without light.");
-    tip(look, off ? "It stands at the left of the split view already; the other two choose what it is held against."
+    tip(look, off ? "The split view already shows it on the left; the other two choose what it is compared with."
                   : about.c_str());
 }
 

@@ -82,8 +82,7 @@ void edit(const Look& look, Rotate& r, float width, StackMemory&) {
 }
 
 void edit(const Look& look, Translate& t, float width, StackMemory&) {
-    row_of_three(look, t.offset, width,
-                 {.about = "Moves points. Normals do not notice: vectors have w = 0.", .rest = 0.0});
+    row_of_three(look, t.offset, width, {.about = "Moves points, but not normals: vectors have w = 0.", .rest = 0.0});
 }
 
 void edit(const Look& look, Shear& s, float width, StackMemory&) {

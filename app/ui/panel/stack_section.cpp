@@ -55,7 +55,7 @@ void add_menu(const Look& look, Scene& scene, StackMemory& memory) {
     item("Rotate about x", "Rigid: the naive rule is right for it.", Rotate{{1, 0, 0}, 30.0});
     item("Rotate about y", "Rigid: the naive rule is right for it.", Rotate{{0, 1, 0}, 30.0});
     item("Rotate about z", "Rigid: the naive rule is right for it.", Rotate{{0, 0, 1}, 30.0});
-    item("Translate", "Moves points; vectors and normals do not notice.", Translate{{0.5, 0, 0}});
+    item("Translate", "Moves points, but neither vectors nor normals.", Translate{{0.5, 0, 0}});
     item("Shear", "Slides one coordinate along another.", Shear{.xy = 0.5});
     item("Matrix", "Any 4×4.", Matrix{});
     ImGui::EndPopup();
@@ -141,7 +141,7 @@ bool entry_header(const Look& look, std::size_t i, Scene& scene, StackMemory& me
     if (!folded) {
         ImGui::SameLine(0, gap);
         if (icon_button(look, "##reset",
-                        {.icon = Icon::Reset, .about = "Make this transform do nothing.", .side = side}))
+                        {.icon = Icon::Reset, .about = "Reset this transform to the identity.", .side = side}))
             entry = neutral(entry);
     }
     ImGui::SameLine(0, gap);
@@ -241,7 +241,7 @@ void what_m_is(const Look& look, const Scene& scene, bool& entries) {
     matrix_in_brackets(look, m.matrix(), ImGui::GetContentRegionAvail().x);
     tip(look,
         "The product of the transforms, the first of which stands rightmost: M = last … first. "
-        "Vectors have w = 0, so that only the marked M₃ moves them, and only it decides what becomes of normals.");
+        "Vectors have w = 0, so only the marked M₃ acts on them, and it alone decides what becomes of normals.");
     const float width = ImGui::GetContentRegionAvail().x, start = ImGui::GetCursorPosX();
     const auto figure = [&](float at, const char* label, const std::string& value, const char* about) {
         ImGui::SetCursorPosX(start + at * width);

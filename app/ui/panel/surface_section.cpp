@@ -76,8 +76,10 @@ std::string_view why_triangles(const Scene& scene) {
     if (!std::holds_alternative<FormulaSurface>(scene.surface)) return {};
     try {
         const Transform<World, Object> m = world_from_object(scene);
-        if (!m.inverse()) return "M has no inverse, so no ray goes to object space: what is drawn are these triangles.";
-        if (!m.affine()) return "M is not affine, and a ray may pass infinity: what is drawn are these triangles.";
+        if (!m.inverse())
+            return "M has no inverse, so no ray can be taken to object space: these triangles are drawn instead.";
+        if (!m.affine())
+            return "M is not affine, and a ray may pass through infinity: these triangles are drawn instead.";
     } catch (const InputError&) {  // said elsewhere
         return {};
     }

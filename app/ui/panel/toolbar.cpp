@@ -47,7 +47,7 @@ void share_menu(Scene& scene, const PanelContext& context) {
     if (!ImGui::BeginPopup("##sharing")) return;
     if (ImGui::MenuItem("Save picture…", "Ctrl+P")) context.dialog.open(FileDialog::For::SavePicture);
     if (ImGui::MenuItem("Copy link", "Ctrl+L")) context.requests.copy_link = true;
-    tip(look, "The whole scene as one line of text: whoever pastes it with Ctrl+V sees what you see.");
+    tip(look, "The whole scene as one line of text: anyone who pastes it with Ctrl+V sees what you see.");
     if (ImGui::MenuItem("Copy equations as LaTeX", "Ctrl+Shift+L")) context.requests.copy_equations = true;
     if (ImGui::MenuItem("Copy as a command", "Ctrl+C")) context.requests.copy_command = true;
     tip(look, "The command line that captures this picture.");

@@ -69,8 +69,8 @@ std::string about_cofactor(const Derivation& derivation) {
 MathBox how_far_off(const MathStyle& style, const RuleCheck& naive, bool any_truth, float width) {
     if (!naive.degrees_off)
         return paragraph(style,
-                         any_truth ? "M₃ n_obj is 0: there is no naive normal to be off."
-                                   : "No rule gives a normal here, so there is none to be off from.",
+                         any_truth ? "M₃ n_obj is 0: there is no naive normal."
+                                   : "No rule gives a normal here, so there is nothing to compare with.",
                          width, Ink::Plain, Meaning::InverseTranspose);
     MathBox box = written(style, style.upright, in_degrees(naive.degrees_off), Ink::Naive);
     box.append(written(style, style.script,

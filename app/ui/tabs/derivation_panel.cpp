@@ -3,9 +3,12 @@
 #include "core/explain/explanation.h"
 #include "ui/kit/widgets.h"
 
+#include <imgui_internal.h>  // whose a key is
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -63,7 +66,7 @@ void DerivationPanel::header(const Look& look) {
 
     static constexpr std::array<Segment, 2> kNames{
         {{"names", "Every symbol by its name."},
-         {"numbers", "Every symbol by the scene's numbers. A click on a symbol switches it alone."}}};
+         {"numbers", "Every symbol by the scene's numbers. Click a symbol to switch just that one."}}};
     static constexpr std::array<Segment, 2> kTangents{{{"t₁", "v is the probe's first tangent, or H's first edge."},
                                                        {"t₂", "v is the probe's second tangent, or H's second edge."}}};
     int numbers = shown_.numbers, tangent = static_cast<int>(tangent_);
@@ -83,7 +86,7 @@ void DerivationPanel::header(const Look& look) {
         stepping_ = !stepping_;
         go_to(0);
     }
-    tip(look, "Uncover one line after the other.");
+    tip(look, "Uncover one line after another (right arrow).");
     if (stepping_) progress(look);
 }
 
@@ -112,17 +115,30 @@ void DerivationPanel::progress(const Look& look) {
     }
 }
 
+// Wherever one has clicked last; but not while one types, nor before one begins while arrow keys go from button to button.
 void DerivationPanel::keys() {
-    if (!stepping_ || !ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) || ImGui::GetIO().WantTextInput)
-        return;
-    const auto pressed = [](std::initializer_list<ImGuiKey> keys) {
-        return std::ranges::any_of(keys, [](ImGuiKey key) { return ImGui::IsKeyPressed(key); });
-    };
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput || io.KeyMods || ImGui::IsAnyItemActive()) return;
+    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) return;
+    if (!stepping_ && io.NavVisible) return;
     // The page keys are what presenters' remote controls send.
-    if (pressed({ImGuiKey_RightArrow, ImGuiKey_DownArrow, ImGuiKey_PageDown})) go_to(current_ + 1);
-    if (pressed({ImGuiKey_LeftArrow, ImGuiKey_UpArrow, ImGuiKey_PageUp}) && current_ > 0) go_to(current_ - 1);
-    if (pressed({ImGuiKey_Home})) go_to(0);
-    if (pressed({ImGuiKey_End})) go_to(passages_.size() - 1);
+    constexpr std::array kOn{ImGuiKey_RightArrow, ImGuiKey_DownArrow, ImGuiKey_PageDown};
+    constexpr std::array kBack{ImGuiKey_LeftArrow, ImGuiKey_UpArrow, ImGuiKey_PageUp};
+    const ImGuiID owner = ImGui::GetID("##by keys");
+    const auto pressed = [&](std::span<const ImGuiKey> keys) {
+        for (const ImGuiKey key : keys) ImGui::SetKeyOwner(key, owner);
+        return std::ranges::any_of(keys, [&](ImGuiKey key) { return ImGui::IsKeyPressed(key, owner); });
+    };
+    const bool on = pressed(kOn), back = pressed(kBack);
+    if (!stepping_) {
+        if (!on) return;
+        stepping_ = true;
+        return go_to(0);
+    }
+    if (on) go_to(current_ + 1);
+    if (back && current_ > 0) go_to(current_ - 1);
+    if (pressed(std::array{ImGuiKey_Home})) go_to(0);
+    if (pressed(std::array{ImGuiKey_End})) go_to(passages_.size() - 1);
 }
 
 std::optional<Highlight> DerivationPanel::highlight_of(const MathBox::Part& part) const {

@@ -262,7 +262,7 @@ void against_the_stretch_section(const ErrorTab& tab, const Transform<World, Obj
     curve_plot(look, tab, matrices.condition(), bent);
     if (bound && tab.naive_worst && *tab.naive_worst < *bound - 1.0)
         wrapped(look, look.dim,
-                "This surface stays below the curve: it has no normal of the direction that M treats worst.");
+                "This surface stays below the curve: it has no normal in the direction that M treats worst.");
     never_perpendicular(look, context.frame, matrices);
 }
 

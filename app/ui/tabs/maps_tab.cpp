@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array<const char*, 4> kHeadings{"direction", "length", "(M⁻¹)ᵀ", "cof(M) n"};
 constexpr std::array<const char*, 4> kAbout{
-    "Has M n the true normal's direction for every n? If not: how far off it can be.",
+    "Does M n have the true normal's direction for every n? If not: how far off it can be.",
     "Does M n keep the length of every n?", "Does the inverse transpose exist?",
     "What the cofactor gives, against the inverse transpose."};
 // Where the columns begin, in logical pixels from the left; the first is the class.
@@ -39,7 +39,7 @@ std::array<Cell, 4> cells(const MapClaims& c) {
     else if (!*c.naive_length_right)
         length.word = "not";
     const Cell exists{c.inverse_transpose_exists, c.inverse_transpose_exists ? "exists" : "none"};
-    constexpr std::array<const char*, 4> kGives{"same", "opposite", "the only", "zero"};
+    constexpr std::array<const char*, 4> kGives{"same", "opposite", "only one", "zero"};
     const Cell gives{c.cofactor == CofactorGives::Zero                ? std::optional(false)
                      : c.cofactor == CofactorGives::OppositeDirection ? std::nullopt
                                                                       : std::optional(true),
@@ -140,17 +140,18 @@ void how_sure(const Look& look, const MapClaims& c) {
     figure("rank", std::to_string(c.rank), left, "How many dimensions M leaves.");
     ImGui::SameLine();
     figure("condition", c.condition ? fixed(c.condition, 2) : "infinite", left + 0.22f * width,
-           "σmax/σmin, the largest stretch over the smallest: by so much an inverse can enlarge errors of rounding.");
+           "σmax/σmin, the largest stretch over the smallest: how much inverting can enlarge rounding errors.");
     ImGui::SameLine();
     figure("digits lost", c.digits_lost ? fixed(c.digits_lost, 1) + " of 16" : "all", left + 0.60f * width,
            "The logarithm of the condition number.");
     std::string sure = "Classes hold within a billionth of what is compared. ";
     if (!c.condition)
-        sure = "M has no inverse, or none that its 16 digits could tell from none: nothing can be inverted here.";
+        sure =
+            "M has no inverse, or is so close to having none that 16 digits cannot tell: nothing can be inverted here.";
     else if (*c.digits_lost > 8.0)
-        sure += "So badly conditioned, the last digits of (M⁻¹)ᵀ are noise.";
+        sure += "M is so badly conditioned that the last digits of (M⁻¹)ᵀ are noise.";
     else
-        sure += "What is said of (M⁻¹)ᵀ is sure to " +
+        sure += "The numbers of (M⁻¹)ᵀ are good to " +
                 std::to_string(static_cast<int>(15.0 - std::ceil(*c.digits_lost))) + " digits or more.";
     wrapped(look, look.dim, sure);
 }

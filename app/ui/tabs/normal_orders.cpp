@@ -85,7 +85,7 @@ bool same_probe(const std::optional<Probe>& a, const std::optional<Probe>& b) {
 }
 
 void too_few_for_an_order(const Look& look, Scene& scene) {
-    wrapped(look, look.dim, "It takes two entries that act to tell the orders apart.");
+    wrapped(look, look.dim, "It takes two active entries to tell the orders apart.");
     if (scene.stack.size() > 1 || !ImGui::Button("Add a rotation")) return;
     scene.stack.push_back(Rotate{{0, 0, 1}, 30.0});
     scene.stack_position.reset();
@@ -133,7 +133,7 @@ void rotation_and_stretch(const Look& look, Scene& scene, StackTab& tab) {
          matrix_of(d.reflects ? "R, reflecting" : "R", d.rotation, look.text,
                    "A rotation, with a reflection where det M < 0. It is its own inverse transpose.", "="),
          matrix_of("S", d.stretch, look.readable(Rule::Naive),
-                   "A stretch along three perpendicular axes, which may stand askew.", "·")}};
+                   "A stretch along three perpendicular axes, not necessarily x, y and z.", "·")}};
     row_of_matrices(look, row);
     std::string factors = "S stretches by " + brief(d.axes[0].factor) + ", " + brief(d.axes[1].factor) + " and " +
                           brief(d.axes[2].factor) + "; R turns by " + brief(d.degrees) + "°";

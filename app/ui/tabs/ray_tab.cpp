@@ -117,7 +117,7 @@ Told told(const Writing& w, const RaySteps& s, int step) {
                      w.row({w.letter("n", green), w.sign("\u00B7"), w.letter("l", plain), is,
                             w.number(*s.brightness, plain)})},
                     std::string(*s.brightness < 0.0 ? "Below 0: the light is behind the surface. "
-                                                    : "So bright is the point. ") +
+                                                    : "This is how bright the point is. ") +
                         "The naive normal M n would have given " + fixed(*s.naive_brightness) + "."};
     }
 }
@@ -130,7 +130,7 @@ const char* why_no_further(RaySteps::End end) {
                    "has "
                    "flattened.";
         case RaySteps::End::NotAffine:
-            return "M is not affine: it does not keep t, and the ray of object space is none with the same t.";
+            return "M is not affine: it does not keep t, so no ray in object space has the same t.";
         case RaySteps::End::Misses: return "The ray meets nothing. Aim it by its knobs in the picture.";
         case RaySteps::End::NoNormal:
             return "\u2207f is zero or does not exist where the ray hits: there is no normal here.";

@@ -50,7 +50,7 @@ void entry_header(const Look& look, const Scene& scene, std::size_t i, bool& ope
 void entry_matrices(const Look& look, const EntryAlgebra& algebra) {
     const std::array<SmallMatrix, 3> matrices{
         {{"A", algebra.a, look.text, "What the entry does to vectors: the upper left 3×3 of its matrix."},
-         {"A⁻¹", algebra.inverse, look.text, "Back again. For a single entry it is easy to tell."},
+         {"A⁻¹", algebra.inverse, look.text, "The way back. For a single entry it is easy to find."},
          {"(A⁻¹)ᵀ", algebra.inverse_transpose, look.readable(Rule::InverseTranspose),
           "What the entry does to normals."}}};
     row_of_matrices(look, matrices);
@@ -119,8 +119,8 @@ void stack_products(const Look& look, const Scene& scene, StackTab& tab) {
     const std::array<SmallMatrix, 3> matrices{
         {{"M", last.product, look.text, "The product of the entries, the first of which acts first: M = last … first."},
          {"product of (A⁻¹)ᵀ", last.composite, right,
-          "The composite of inverses: the single (A⁻¹)ᵀ, multiplied in the original order, since inverting turns the "
-          "order over and transposing turns it back."},
+          "The composite of inverses: the single (A⁻¹)ᵀ, multiplied in the original order, since inverting reverses "
+          "the order and transposing reverses it back."},
          {"(M⁻¹)ᵀ", last.inverted_product, right, "The inverse of the composite: first the product, then inverted."}}};
     row_of_matrices(look, matrices);
     if (!last.apart) {
@@ -131,7 +131,7 @@ void stack_products(const Look& look, const Scene& scene, StackTab& tab) {
         return remark(look, look.bad,
                       static_cast<std::size_t>(which) <= whole
                           ? "Entry " + std::to_string(which) +
-                                " has no inverse, so that neither has M. The cofactor still multiplies in the same "
+                                " has no inverse, so neither has M. The cofactor still multiplies in the same "
                                 "order."
                           : "The product has no inverse that numbers of 16 digits could hold.");
     }

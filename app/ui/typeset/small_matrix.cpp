@@ -147,10 +147,10 @@ void remark(const Look& look, const ImVec4& stripe, const std::string& text) {
 }
 
 void reflection_remark(const Look& look) {
-    remark(look, to_imgui(rule_color(Rule::Cofactor)),
-           "det M < 0: (M⁻¹)ᵀ n keeps pointing outward, as gradients do; cof(M) n follows the winding, which M turns "
-           "over. "
-           "Each is right for its own question.");
+    remark(
+        look, to_imgui(rule_color(Rule::Cofactor)),
+        "det M < 0: (M⁻¹)ᵀ n keeps pointing outward, as gradients do; cof(M) n follows the winding, which M reverses. "
+        "Each is right for its own question.");
 }
 
 }  // namespace normalscope

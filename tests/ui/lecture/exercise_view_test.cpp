@@ -20,7 +20,7 @@ TEST(Exercises, AnArrowThatNobodyMovedIsJudgedTheSecondTime) {
     const std::string before = exercises.speech().look_at;
     exercises.check(scene);
     EXPECT_FALSE(exercises.answered());
-    EXPECT_TRUE(exercises.speech().look_at.starts_with("The arrow has not been moved yet"));
+    EXPECT_TRUE(exercises.speech().look_at.starts_with("You have not moved the arrow yet"));
     exercises.turn(frame_of(scene), 0.0, 0.0);
     EXPECT_EQ(exercises.speech().look_at, before);
     exercises.check(scene);
