@@ -19,9 +19,9 @@ void make_texture(const GlTexture& texture, glm::ivec2 size) {
 
 void check_complete(glm::ivec2 size, int samples) {
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE && glGetError() == GL_NO_ERROR) return;
-    throw ContextError("this driver cannot draw " + std::to_string(size.x) + "x" + std::to_string(size.y) +
-                       " pixels with " + std::to_string(samples) +
-                       " samples, or is out of memory; use a smaller size or fewer samples");
+    throw ContextError("this driver cannot draw " + std::to_string(size.x) + "x" + std::to_string(size.y) + " pixels" +
+                       (samples > 1 ? " with " + std::to_string(samples) + " samples" : "") +
+                       ", or is out of memory; use a smaller size or fewer samples");
 }
 
 void make_storage(const GlRenderbuffer& buffer, GLenum format, glm::ivec2 size, int samples) {

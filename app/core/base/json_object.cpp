@@ -48,7 +48,7 @@ JsonObject::JsonObject(const Json& json, JsonPath path, const std::string& expec
 }
 
 const Json* JsonObject::find(std::string_view key) {
-    known_.emplace_back(key);
+    if (std::ranges::find(known_, key) == known_.end()) known_.emplace_back(key);
     const auto it = json_.find(key);
     return it == json_.end() ? nullptr : &*it;
 }

@@ -67,6 +67,7 @@ TEST(JsonObject, KnowsWhatItWasAskedFor) {
     object.read("many", many, Range{0, 9});
     object.read("part", part, kAnyNumber);
     object.read("missing", missing, kAnyNumber);
+    object.read("on", on);  // is named once nevertheless
     EXPECT_TRUE(on && word == "w" && many == 3 && part == 0.5 && missing == 7.0);
     EXPECT_EQ(message_of([&] { object.no_other_keys(); }),
               "here.more: unknown key; known here: on, word, many, part, missing");
