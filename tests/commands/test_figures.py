@@ -43,7 +43,7 @@ class FiguresTest(CommandTest):
     def test_rims(self):
         """A rim is drawn all around, also where one sees it from within."""
         for scene, rim in (("hyperboloid-one-sheet", 0.2), ("cone", 0.18), ("cylinder", 0.17), ("paraboloid", 0.6)):
-            root = ElementTree.fromstring(self.svg(f"implicit-{scene}", "--size", "900x700"))
+            root = ElementTree.fromstring(self.svg(f"implicit-{scene}", "--set", "camera.zoom=1.45", "--size", "900x700"))
             dark = self.points(root, stroke="#22262b")
             top, bottom = min(y for _, y in dark), max(y for _, y in dark)
             points = [(x, y) for x, y in dark if y < top + rim * (bottom - top)]
@@ -54,7 +54,7 @@ class FiguresTest(CommandTest):
 
     def test_what_stands_behind(self):
         """As much of each axis is drawn as nothing stands before: never all or nothing."""
-        root = ElementTree.fromstring(self.svg("implicit-clebsch-cubic", "--size", "900x700"))
+        root = ElementTree.fromstring(self.svg("implicit-clebsch-cubic", "--set", "camera.zoom=1.45", "--size", "900x700"))
         for colour, low, high in (("#d03a3a", 60, 140), ("#3a62d0", 80, 170)):
             along = [x for x, _ in self.points(root, fill=colour)]
             self.assertTrue(low < max(along) - min(along) < high, (colour, min(along), max(along)))
