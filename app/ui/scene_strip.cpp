@@ -37,7 +37,14 @@ void sentence(const Look& look, const std::string& words, ImVec2 low, ImVec2 siz
 }  // namespace
 
 float scene_strip_height(const Look& look, float width) {
-    return look.px(width >= look.px(kLeastBesideButtons) ? 56.0f : 78.0f);
+    const bool buttons = width >= look.px(kLeastBesideButtons);
+    // As high as the longest of the built-in sentences is in small words, so that it stays as it is while one drags. There
+    // may be no fonts yet.
+    constexpr float kLongest = 160.0f;  // letters, and what is left over at the ends of lines
+    constexpr float kLetter = 6.7f, kLine = 18.0f;
+    const float room = width - look.px(buttons ? 14 * 2 + 38 + 150 : 14 * 2 + 38),
+                lines = std::ceil(kLongest * look.px(kLetter) / std::max(room, look.px(kLetter)));
+    return std::max(look.px(buttons ? 56.0f : 78.0f), look.px(lines * kLine + 8));
 }
 
 StripPress draw_scene_strip(const Look& look, const SceneStrip& strip, const PixelRect& picture) {

@@ -80,6 +80,18 @@ TEST_P(ScalesTest, DialogsShowTheirTitleAndTheirButtons) {
     }
 }
 
+TEST_P(ScalesTest, TheSceneSentenceIsNotCutOff) {
+    for (const BuiltInScene& built_in : built_in_scenes()) {
+        scene_ = load_scene(built_in.name);
+        step();
+        step();
+        const ImGuiWindow* const strip = ImGui::FindWindowByName("##strip");
+        if (!strip || !strip->WasActive) continue;
+        for (const ImDrawVert& v : strip->DrawList->VtxBuffer)
+            ASSERT_LE(v.pos.y, strip->Pos.y + strip->Size.y + 1.5f) << built_in.name;  // with the line below it
+    }
+}
+
 TEST_P(ScalesTest, TheKeysAreNotCutOff) {
     interface_.toggle_help();
     for (int i = 0; i < 4; ++i) step();
