@@ -20,7 +20,7 @@ constexpr Line kMouse[]{
     {"drag", "orbit"},
     {"drag_a_knob", "stretch the object along that axis"},
     {"click", "put the probe on the surface"},
-    {"drag_it", "move the probe (Alt + arrows, too)"},
+    {"drag_the_probe", "move it (Alt + arrows, too)"},
     {"P", "pin the probe's point as a row"},
     {"Shift drag", "move the light"},
     {"right_drag", "pan (middle button, too)"},

@@ -48,7 +48,7 @@ void ProbeTrail::follow(const Scene& scene, const Frame& frame) {
 void ProbeTrail::draw(const Look& look, const Frame& frame) const {
     if (steps_.size() < 3 || !(steps_.back().way > 0.0)) return;
     const ThemeColors colors = theme_colors(frame.theme);
-    const float margin = look.px(14), width = look.px(210), height = look.px(104), pad = look.px(10);
+    const float margin = look.px(14), width = look.px(232), height = look.px(104), pad = look.px(10);
     const ImVec2 high{static_cast<float>(frame.rect.origin.x + frame.rect.size.x) - margin,
                       static_cast<float>(frame.rect.origin.y) + margin + height},
         low{high.x - width, high.y - height};

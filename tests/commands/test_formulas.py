@@ -88,7 +88,7 @@ class FormulaTest(CommandTest):
         for formula, says in (("x^2+y^2", ("as at (0, 0, ", "never negative", "line")),
                               ("(x-0.5)^2+y^2+z^2", ("at (0.5, 0, 0)", "never negative", "point")),
                               ("-(x^2+y^2-1)^2-z^2", ("up to 0", "never positive", "line")),
-                              ("x^2+y^2+z^2-1e-9", "too small"), ("sqrt(1-x^2-y^2-z^2)", "values end"), ("x^2+y^2+z^2+1e-8", "No zero")):
+                              ("x^2+y^2+z^2-1e-9", "too small"), ("sqrt(1-x^2-y^2-z^2)", "stops being defined"), ("x^2+y^2+z^2+1e-8", "No zero")):
             with self.subTest(formula):
                 for word in (says,) if isinstance(says, str) else says:
                     self.assertIn(word, self.told(formula))

@@ -43,7 +43,7 @@ std::vector<std::string> observations(const glm::dmat4& a, const NormalMatrices&
             "(A⁻¹)ᵀ = A: its columns are perpendicular unit vectors, so its inverse is its transpose, and transposing "
             "that gives A again");
     else if (is_diagonal(a3))
-        result.emplace_back("only the numbers invert: (S(x, y, z)⁻¹)ᵀ = S(1/x, 1/y, 1/z)");
+        result.emplace_back("each factor becomes its reciprocal: (S(x, y, z)⁻¹)ᵀ = S(1/x, 1/y, 1/z)");
     else if (same(slide * slide, glm::dmat3(0.0)) || largest_entry(slide * slide) <= kSame * largest_entry(slide))
         result.emplace_back("(A⁻¹)ᵀ = I − (A − I)ᵀ: the shear is reversed, and acts on the other coordinate");
     else if (same(n * (1.0 / n[0].x), a3 * (1.0 / a3[0].x)) && a3[0].x != 0.0)

@@ -88,7 +88,7 @@ void scale_one(Exercise& e, Dice& dice) {
     e.hints = {"Does the surface get steeper or flatter here? The normal is perpendicular to it.",
                "The normal’s " + name + " is divided by " + f.text + "."};
     e.why = "A point’s " + name + " is multiplied by " + f.text + ", so the normal’s must be multiplied by " +
-            f.inverse + ": the inverse, or it would not stay perpendicular to the tangents.";
+            f.inverse + ": the reciprocal, or it would not stay perpendicular to the tangents.";
 }
 
 void scale_two(Exercise& e, Dice& dice) {
@@ -98,7 +98,7 @@ void scale_two(Exercise& e, Dice& dice) {
     e.hints = {"Only the ratio counts: the length of a normal means nothing.",
                std::string("Divide: x by ") + f.text + ", y by " + g.text + "."};
     e.why = std::string("(M₃⁻¹)ᵀ = diag(") + f.inverse + ", " + g.inverse +
-            ", 1): each coordinate is multiplied by the inverse factor" +
+            ", 1): each coordinate is multiplied by the reciprocal of its factor" +
             (f.value == g.value ? "; both are alike here, so the direction stays." : ".");
 }
 

@@ -48,10 +48,11 @@ Question which_matrix(Exercise& e, Dice& dice) {
     const glm::dvec3 d(f.value, g.value == f.value ? 3.0 : g.value, 1.0);
     e.scene.stack = {Scale{d}};
     e.task = "M₃ = " + diagonal(d) + ".";
-    e.why = "The inverse of a diagonal matrix has the inverse entries, and transposing changes nothing there.";
+    e.why =
+        "The inverse of a diagonal matrix has the reciprocals of its entries, and transposing changes nothing there.";
     Question q{"Which matrix takes the normals to the world?",
                {{diagonal(d), false, "That is M₃, the naive rule."},
-                {diagonal(1.0 / d), true, "Each coordinate is multiplied by the inverse factor: (M₃⁻¹)ᵀ."},
+                {diagonal(1.0 / d), true, "Each coordinate is multiplied by the reciprocal: (M₃⁻¹)ᵀ."},
                 {diagonal(-d), false, "A sign turns the normal round. It does not undo the scale."},
                 {"The identity", false, "Then the normals would not change, but the tangents do."}}};
     std::rotate(q.choices.begin(), q.choices.begin() + dice.below(4), q.choices.end());

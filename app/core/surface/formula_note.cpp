@@ -193,7 +193,7 @@ FormulaNote note_on(const ImplicitSurface& surface, const Mesh& mesh) {
         zeros.places.insert(zeros.places.begin(), *met);
     if (!zeros.places.empty()) return on_zeros(surface, std::move(zeros), within);
     if (const auto edge = zero_at_an_edge(surface))
-        return {"f is 0 only where its values end, as at " + point_text(*edge, surface.source().bound) +
+        return {"f is 0 only where it stops being defined, as at " + point_text(*edge, surface.source().bound) +
                     ": it changes its sign nowhere within " + within + ". Nothing is drawn.",
                 false};
     return none;

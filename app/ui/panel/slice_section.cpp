@@ -63,7 +63,7 @@ void singular_section(Scene& scene, const PanelContext& context) {
            std::string(singular->undefined ? "∇f does not exist" : "∇f = 0") +
                (singular->fan.empty()
                     ? " at the probe, and no sheet of the surface comes near: there is no neighbour to borrow from."
-                    : " at the probe: no direction is the normal's. The fan shows the normals all around."));
+                    : " at the probe: no single direction is the normal. The fan shows the normals all around."));
     if (singular->fan.empty()) return;
     bool on = scene.borrow.has_value();
     if (ImGui::Checkbox("borrow a neighbour's normal", &on)) {
@@ -73,10 +73,11 @@ void singular_section(Scene& scene, const PanelContext& context) {
             scene.borrow.reset();
     }
     tip(look,
-        "The cheap remedy of ray tracers: a nearby point's gradient. Which one is up to chance, and so is the light.");
+        "Ray tracers' cheap remedy: a nearby point's gradient. Which one you get is up to chance, and so is the "
+        "light.");
     wrapped(look, look.dim,
             "Any two neighbours can differ by up to " + in_degrees(singular->spread_degrees, 1) +
-                ": so much depends on the choice.");
+                ": that much depends on the choice.");
     if (!scene.borrow) return;
     direction_bars(look, "borrow", scene.borrow->azimuth, scene.borrow->elevation,
                    {"around", "Which way the neighbour lies, in object space.", 0.0},

@@ -137,7 +137,7 @@ TEST(FormulaSurface, WhatIsSaidIsSo) {
              {"exp(-exp(x))", "No zero", false},
              {"x^x-0.5", "No zero", false},
              {"(x^2+y^2+z^2-4)^2+((x-1)^2+y^2-1)^2", "never negative", false},
-             {"sqrt(1-x^2-y^2-z^2)", "only where its values end", false},
+             {"sqrt(1-x^2-y^2-z^2)", "only where it stops being defined", false},
              {"x^2+y^2+z^2-1e-9", "too small to be seen", true}}) {
         const auto surface = surface_of(formula, 2.5);
         EXPECT_NE(note_of(*surface).find(says), std::string::npos) << formula << ": " << note_of(*surface);
