@@ -16,10 +16,12 @@ namespace {
 
 using Ring = std::vector<glm::dvec3>;
 
-constexpr double kFlat = 1e-6;      // sine between two normals, and of the object's size from the plane
+constexpr double kFlat = 1e-5;      // of the object's size from the plane, and as a sine along the rim
+constexpr double kAlike = 2e-3;     // sine between two normals: files round them
 constexpr double kLeast = 0.12;     // of the object's size: a side of a square as large as the smallest face
 constexpr double kPentagon = 0.42;  // of the object's size: the radius of one
 constexpr std::size_t kMostCorners = 8;
+constexpr std::size_t kMostTriangles = 20'000;  // of one face: this is done every frame
 
 double size_of(const Surface& surface) { return std::max({surface.extent.x, surface.extent.y, surface.extent.z}); }
 
@@ -49,25 +51,25 @@ Rim rim_about(const Mesh& mesh, std::size_t seed, const glm::dvec3& n, double si
     const glm::dvec3& in_plane = mesh.positions[mesh.triangles[seed].x];
     const auto lies = [&](std::uint32_t vertex) {
         return std::abs(glm::dot(mesh.positions[vertex] - in_plane, n)) < kFlat * size &&
-               glm::length(glm::cross(mesh.normals[vertex], n)) < kFlat;
+               glm::length(glm::cross(mesh.normals[vertex], n)) < kAlike;
     };
     Corners corner(mesh);
     std::vector<std::array<std::uint32_t, 3>> flat;
-    std::size_t first = 0;
+    std::optional<std::size_t> first;  // empty: the seed itself is curved
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const glm::uvec3& t = mesh.triangles[i];
         if (!lies(t.x) || !lies(t.y) || !lies(t.z) || !(glm::dot(area_vector(mesh, t), n) > 0.0)) continue;
         if (i == seed) first = flat.size();
         flat.push_back({corner(t.x), corner(t.y), corner(t.z)});
     }
+    Rim rim;
+    if (!first || flat.size() > kMostTriangles) return rim;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> triangle_of;  // by edge
     for (std::size_t i = 0; i < flat.size(); ++i)
         for (std::size_t k = 0; k < 3; ++k) triangle_of[{flat[i][k], flat[i][(k + 1) % 3]}] = i;
-    Rim rim;
-    if (flat.empty()) return rim;
     std::vector<bool> reached(flat.size(), false);
-    std::vector<std::size_t> left{first};
-    reached[first] = true;
+    std::vector<std::size_t> left{*first};
+    reached[*first] = true;
     while (!left.empty()) {
         const auto here = flat[left.back()];
         left.pop_back();

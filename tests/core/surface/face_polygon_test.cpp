@@ -96,6 +96,21 @@ TEST(FacePolygon, KeepsTheRightNormalAcrossItsEdgesUnderAnyM) {
     }
 }
 
+// As files have them: with rounded normals, and of a triangle beside a flat face that is itself part of a round one.
+TEST(FacePolygon, TakesRoundedNormalsForFlatAndRoundedEdgesForRound) {
+    Surface surface;
+    surface.mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}};
+    surface.mesh.normals = {{0, 0, 1}, {0, 0.0005, 1}, {0, 0, 1}, {0.0003, 0, 1}, glm::normalize(glm::dvec3(1, 0, 1))};
+    surface.mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 4, 2}};
+    surface.extent = {2, 1, 0};
+    const Probe flat = polygon_near(surface, {0.5, 0.5, 0});
+    expect_sound(flat);
+    EXPECT_EQ(flat.polygon.size(), 4u);
+    const Probe round = polygon_near(surface, {1.3, 0.2, 0});
+    expect_sound(round);
+    EXPECT_EQ(round.polygon.size(), 5u);
+}
+
 TEST(FacePolygon, NeedsANormal) {
     const auto cone = surface_of(FormulaSurface{.formula = "x^2+z^2=y^2"});
     const Probe apex = polygon_near(*cone, {0, 0, 0});
