@@ -84,7 +84,9 @@ private:
         return static_cast<int>(
             std::clamp(std::floor(f / sets_.step), -1.0 * LevelSets::kMostBands, LevelSets::kMostBands - 1.0));
     }
-    Corner evaluated(glm::dvec2 at) const { return {at, usable(formulas::value(surface_.written_program(), lift(at)))}; }
+    Corner evaluated(glm::dvec2 at) const {
+        return {at, usable(formulas::value(surface_.written_program(), lift(at)))};
+    }
     static double usable(double f) { return std::abs(f) < 1e100 ? f : std::nan(""); }
 
     void evaluate() {
@@ -205,7 +207,8 @@ private:
             const double fa = a.f - level * sets_.step, fb = b.f - level * sets_.step;
             if ((fa < 0.0) == (fb < 0.0)) continue;
             // Over a jump, as over a pole, f is not 0: no line of the surface.
-            if (level == 0 && may_jump_ && !formulas::zero_between(surface_.written_program(), lift(a.at), lift(b.at))) return;
+            if (level == 0 && may_jump_ && !formulas::zero_between(surface_.written_program(), lift(a.at), lift(b.at)))
+                return;
             ends.push_back(lift(between(a, b, fa / (fa - fb)).at));
         }
         if (ends.size() == 2) sets_.lines.push_back({{ends[0], ends[1]}, level});
