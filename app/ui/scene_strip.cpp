@@ -43,7 +43,7 @@ float scene_strip_height(const Look& look, float width) {
     constexpr float kLongest = 160.0f;  // letters, and what is left over at the ends of lines
     constexpr float kLetter = 6.7f, kLine = 18.0f;
     const float room = width - look.px(buttons ? 14 * 2 + 38 + 150 : 14 * 2 + 38),
-                lines = std::ceil(kLongest * look.px(kLetter) / std::max(room, look.px(kLetter)));
+                lines = std::ceil(look.px(kLongest * kLetter) / std::max(room, look.px(kLetter)));
     return std::max(look.px(buttons ? 56.0f : 78.0f), look.px(lines * kLine + 8));
 }
 
