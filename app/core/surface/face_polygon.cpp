@@ -19,7 +19,7 @@ using Ring = std::vector<glm::dvec3>;
 constexpr double kFlat = 1e-5;      // of the object's size from the plane, and as a sine along the rim
 constexpr double kAlike = 2e-3;     // sine between two normals: files round them
 constexpr double kLeast = 0.12;     // of the object's size: a side of a square as large as the smallest face
-constexpr double kPentagon = 0.42;  // of the object's size: the radius of one
+constexpr double kPentagon = 0.34;  // of the object's size: the radius of one
 constexpr std::size_t kMostCorners = 8;
 constexpr std::size_t kMostTriangles = 20'000;  // of one face: this is done every frame
 

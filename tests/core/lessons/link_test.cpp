@@ -21,6 +21,8 @@ Scene random_scene(Random& random) {
     scene.camera.azimuth = random.uniform(-360, 360);
     scene.theme = static_cast<Theme>(random.below(4));
     if (random.chance(0.5)) scene.probe = Point<Object>{random.vector()};
+    for (int n = random.below(5); n > 0; --n) scene.pinned.push_back({random.vector()});
+    scene.show.polygon = random.chance(0.5);
     return scene;
 }
 

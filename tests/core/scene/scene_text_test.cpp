@@ -35,8 +35,9 @@ Scene random_scene(Random& random) {
     s.light = {random.uniform(-400.0, 400.0), random.uniform(-90.0, 90.0)};
     s.color = any_of<SurfaceColor>(random, 3);
     s.theme = any_of<Theme>(random, 2);
-    s.show = {random.chance(0.5), random.chance(0.5), random.chance(0.5),
-              random.chance(0.5), random.chance(0.5), random.chance(0.5)};
+    for (bool Shown::* what : {&Shown::ghost, &Shown::grid, &Shown::axes, &Shown::tangent_plane, &Shown::probe,
+                               &Shown::legend, &Shown::polygon, &Shown::sheets, &Shown::stretch_axes})
+        s.show.*what = random.chance(0.5);
     if (random.chance(0.5)) s.probe = Point<Object>{random.vector()};
     return s;
 }
