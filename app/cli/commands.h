@@ -76,6 +76,7 @@ struct HandoutCommand {
     Output output;
     glm::ivec2 size{960, 600};
     ContextChoice context = ContextChoice::Auto;
+    bool live = false;  ///< each picture wakes to the program where it is touched
 };
 
 /// `normalscope animate LESSON -o OUT`

@@ -24,13 +24,16 @@ Declared declare_handout(CLI::App& root) {
     CLI::App& app = *root.add_subcommand("handout", "Write a lesson as one page to print or send");
     set_up(app,
            "  normalscope handout 4-derivation -o derivation.html\n"
-           "  normalscope handout mine.json -o mine.html --size 1280x800");
+           "  normalscope handout mine.json -o mine.html --size 1280x800\n"
+           "  normalscope handout 1-normal-as-a-point -o lesson.html --live");
     add(app, "LESSON", given->command.lesson, "",
         "A lesson: its file (.json) or a built-in one's name (see normalscope lessons)")
         .required();
     add(app, "-o,--output", given->output, "OUT.html", "The page to write, pictures included; - is standard output")
         .required();
     add(app, "--size", given->size, "WIDTHxHEIGHT", "Of each picture, in pixels");
+    app.add_flag("--live", given->command.live,
+                 "Each picture is the program when it is touched, in any browser and without a network");
     add_context(app, given->context);
     return {&app, [given] {
                 HandoutCommand command = given->command;

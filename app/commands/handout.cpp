@@ -1,7 +1,7 @@
 #include "commands/commands.h"
 
 #include "commands/files_of_run.h"
-#include "commands/report.h"
+#include "commands/live_handout.h"
 #include "commands/studio.h"
 #include "core/base/base64.h"
 #include "core/base/file.h"
@@ -9,6 +9,8 @@
 #include "core/image/png.h"
 #include "core/lessons/open.h"
 #include "platform/crash_line.h"
+
+#include <optional>
 
 namespace normalscope {
 
@@ -32,9 +34,9 @@ constexpr std::string_view kStyle = R"(
                  img { max-height: 42vh; width: auto; margin: 0 auto; } }
 )";
 
-std::string picture(const LessonStep& step, const Image& image) {
-    return "  <img alt=\"" + html_text(step.caption) + "\" src=\"data:image/png;base64," + base64(png_bytes(image)) +
-           "\">\n";
+std::string picture(const LessonStep& step, const Image& image, const std::string& attributes) {
+    return "  <img" + attributes + " alt=\"" + html_text(step.caption) + "\" src=\"data:image/png;base64," +
+           base64(png_bytes(image)) + "\">\n";
 }
 
 std::string choices(const Question& question) {
@@ -63,23 +65,26 @@ std::string handout(const HandoutCommand& command) {
     FilesOfRun files;
     for (const LessonStep& step : lesson.steps) files.reads_scene(command.lesson, step.scene);
     files.writes(command.output, "--output");
+    std::optional<LiveHandout> live;
+    if (command.live) live.emplace(files);
     const CrashLine crash_line;
     Studio studio({.context = command.context, .pictures = lesson.steps.size()});
     std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
-                       html_text(lesson.title) + "</title>\n<style>" + std::string(kStyle) +
-                       "</style>\n</head>\n<body>\n";
+                       html_text(lesson.title) + "</title>\n<style>" + std::string(kStyle) + "</style>\n" +
+                       (live ? LiveHandout::policy() : "") + "</head>\n<body>\n";
     html += "<h1>" + html_math(lesson.title) + "</h1>\n<p class=\"about\">" + html_math(lesson.about) + "</p>\n";
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const LessonStep& step = lesson.steps[i];
         html += "<section>\n";
-        html += picture(step, studio.capture(step.scene, {.size = command.size}).image);
+        html += picture(step, studio.capture(step.scene, {.size = command.size}).image,
+                        live ? live->attributes(step.scene) : "");
         html += "  <p class=\"caption\">" + std::to_string(i + 1) + ". " + html_math(step.caption) + "</p>\n";
         for (const std::string& line : step.equations) html += "  <p class=\"equation\">" + html_math(line) + "</p>\n";
         if (!step.look_at.empty()) html += "  <p class=\"look\">" + html_math(step.look_at) + "</p>\n";
         if (step.question) html += choices(*step.question);
         html += "</section>\n";
     }
-    return html + answers(lesson) + "</body>\n</html>\n";
+    return html + answers(lesson) + (live ? live->program() : "") + "</body>\n</html>\n";
 }
 
 }  // namespace

@@ -8,13 +8,17 @@ function open(name) {
     wake();
 }
 
+// Its path within the page.
+async function take(file) {
+    if (file.size > largestFile) throw Error("larger than 512 MB, the most that a page reads");
+    const path = "/" + file.name.replace(/[/\0]/g, "_");
+    engine.FS.writeFile(path, new Uint8Array(await file.arrayBuffer()));
+    return path;
+}
+
 async function openFile(file) {
-    if (file.size > largestFile) return complain(`${file.name}: is larger than 512 MB, the most that a page reads`);
     try {
-        const bytes = new Uint8Array(await file.arrayBuffer());
-        const path = "/" + file.name.replace(/[/\0]/g, "_");
-        engine.FS.writeFile(path, bytes);
-        open(path);
+        open(await take(file));
     } catch (error) {
         complain(`${file.name}: cannot be read: ${error.message || error.name}`);
     }

@@ -3,29 +3,39 @@
 const owner = window.parent !== window ? window.parent : null;
 const tell = (what) => owner?.postMessage(what, "*");
 
-let told = "";
+let told = "", askedFor = null;
 function tellWhatIsShown() {
     const now = owner ? call("told", "string", [], []) : "";
-    if (now === told) return;
+    if (now === told && askedFor === null) return;
     const before = told ? JSON.parse(told) : {};
     told = now;
     const { answer, right, ...what } = JSON.parse(now);
-    if (before.name !== what.name) tell({ normalscope: "shown", ...what });
+    if (askedFor !== null) tell({ normalscope: "shown", ...what, asked: askedFor });
+    else if (before.name !== what.name) tell({ normalscope: "shown", ...what });
+    askedFor = null;
     if (answer && (before.answer !== answer || before.name !== what.name))
         tell({ normalscope: "answered", lesson: what.lesson, step: what.step, answer, right });
 }
 
 const doings = {
-    open: ({ name }) => open(String(name)),
+    async open({ name, files = [] }) {
+        for (const file of files) await take(file);
+        askedFor = String(name);
+        open(askedFor);
+    },
     step: ({ step }) => told && JSON.parse(told).lesson
         ? open(`#${JSON.parse(told).lesson}/${Number(step)}`)
-        : complain("The page around this one asks for a step, but no lesson is shown."),
+        : complain("The page around this one asks for a step, but no lesson is shown"),
     next: () => tap("ArrowRight"),
     previous: () => tap("ArrowLeft"),
 };
-window.addEventListener("message", (event) => {
+window.addEventListener("message", async (event) => {
     const wanted = event.data?.normalscope;
     if (!engine || event.source !== owner || wanted === undefined) return;
-    if (Object.hasOwn(doings, wanted)) doings[wanted](event.data);
-    else complain(`The page around this one asks for "${String(wanted).slice(0, 40)}", which this program does not know.`);
+    try {
+        if (!Object.hasOwn(doings, wanted)) throw Error("this program does not know that");
+        await doings[wanted](event.data);
+    } catch (error) {
+        complain(`The page around this one asks for "${String(wanted).slice(0, 40)}": ${error.message}`);
+    }
 });

@@ -3,7 +3,8 @@ const canvas = document.getElementById("canvas");
 const page = { canvas };
 let engine = null;
 
-const asked = new URLSearchParams(location.search);
+// A page within another's text has no address: its frame's name stands for that.
+const asked = new URLSearchParams(location.protocol === "about:" ? window.name : location.search);
 
 // Where storage is forbidden, as in a sandbox, nothing is kept.
 const storage = {
@@ -31,6 +32,7 @@ function sorry(line) {
     wait.className = "sorry";
     wait.textContent = line;
     canvas.hidden = true;
+    tell({ normalscope: "failed", line });
 }
 
 // One letter is one byte, plus one.
@@ -55,8 +57,9 @@ async function start() {
     canvas.height = height;
     const named = nameInAddress() || nameAskedFor();
     const prefers = (what) => matchMedia(`(prefers-${what})`).matches ? 1 : 0;
+    const dark = asked.has("theme") ? Number(asked.get("theme") === "dark") : prefers("color-scheme: dark");
     const failed = call("start", "string", ["string", "string", "string", "number", "number", "number", "number", "number"],
-        [named, storage.get("settings"), named ? "" : storage.get("unsaved"), width, height, scale, prefers("color-scheme: dark"), prefers("reduced-motion: reduce")]);
+        [named, storage.get("settings"), named ? "" : storage.get("unsaved"), width, height, scale, dark, prefers("reduced-motion: reduce")]);
     if (failed) return sorry("Normalscope cannot start: " + failed + ".");
     document.getElementById("wait").hidden = true;
     call("set_in", null, ["number", "number"], [asked.get("panel") === "0" ? 0 : 1, asked.has("present") ? 1 : 0]);

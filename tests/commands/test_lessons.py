@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Every built-in lesson from end to end: each step is drawn, and its caption's numbers are those of the scene."""
 
+import html.parser
 import json
 import os
 import pathlib
@@ -128,6 +129,49 @@ class LessonsTest(CommandTest):
         self.assertIn("n</i><sub>naive</sub>", page)
         for step in steps:
             self.assertIn(step["caption"], page)
+
+    def live(self, page, *arguments):
+        """A live handout by an installed program, with this text as the program's page."""
+        program, share = self.folder / "bin/normalscope", self.folder / "share/normalscope"
+        for folder in (program.parent, share):
+            folder.mkdir(parents=True, exist_ok=True)
+        shutil.copy(NORMALSCOPE, program)
+        if page is not None:
+            (share / "normalscope.html").write_text(page)
+        return subprocess.run([program, "handout", *map(str, arguments), "--live", *SMALL], capture_output=True, check=False)
+
+    def test_live_handouts_hold_the_program_once(self):
+        evil = "\"'><script>alert(1)</script>"
+        self.file("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n")
+        lesson = self.file("mine.json", json.dumps({"lesson": evil, "about": evil, "steps": [
+            {"caption": evil, "scene": {"surface": {"mesh": "t.obj"}}}, {"caption": "b", "scene": {"rule": "naive"}},
+            {"caption": "c", "scene": {"surface": {"shape": "cube"}}}]}))
+        program = "<!DOCTYPE html>\n<script>const a = '\x01\u0100&amp;\"<!--<script>@FILES@';</script>\n"
+        done = self.live(program, lesson, "-o", "-")
+        self.assertEqual((done.returncode, done.stderr), (0, b""))
+        found = []
+        parser = html.parser.HTMLParser()
+        parser.handle_starttag = lambda tag, attributes: found.append((tag, dict(attributes)))
+        parser.feed(done.stdout.decode())
+        tags = [tag for tag, _ in found]
+        self.assertEqual((tags.count("img"), tags.count("iframe"), tags.count("script")), (3, 1, 1))
+        frame = dict(found)["iframe"]
+        self.assertEqual(frame["data-page"], program)
+        self.assertEqual(frame["sandbox"], "allow-scripts allow-downloads")
+        self.assertEqual(list(json.loads(frame["data-files"])), ["1-t.obj"])
+        scenes = [attributes["data-scene"] for tag, attributes in found if tag == "img"]
+        self.assertEqual(self.numbers(scenes[2])["M"], self.numbers(lesson.with_name("mine.json#3"))["M"])
+        self.assertNotRegex(done.stdout.decode(), r"<[^>]* (src|href)=\"(?!data:)")
+
+    def test_live_handouts_want_the_page(self):
+        out = self.folder / "out.html"
+        done = self.live(None, LESSONS[0].stem, "-o", out)
+        self.assertEqual(done.returncode, 3)
+        self.assertRegex(done.stderr.decode(), r"\Anormalscope: [^\n]*has not been built; ./dev web builds it\n\Z")
+        self.assertFalse(out.exists())
+        page = self.folder / "share/normalscope/normalscope.html"
+        self.assertEqual(self.live("the program", LESSONS[0].stem, "-o", page).returncode, 2)
+        self.assertEqual(page.read_text(), "the program")
 
 
 def heights_of_lines(pixels):

@@ -35,7 +35,10 @@ test("opened by the browser's dialog", async (t) => {
     const file = join(folder(t), "mine.json");
     writeFileSync(file, JSON.stringify({ rule: "cofactor" }));
     const { page } = await open(browser, fileUrl);
-    const [chooser] = await Promise.all([page.waitForFileChooser(), press(page, "Control", "o")]);
+    const waiting = page.waitForFileChooser();
+    await new Promise((done) => setTimeout(done, 300));  // until the browser knows who waits
+    await press(page, "Control", "o");
+    const chooser = await waiting;
     await chooser.accept([file]);
     await page.waitForFunction(() => document.title.includes("mine.json"));
     assert.equal((await scene(page)).rule, "cofactor");
