@@ -1,5 +1,14 @@
-# The fonts that are built into the program, as distributions package them. Each path is a cache variable of its own.
+# The fonts that are built into the program, as distributions package them. Each path is a cache variable of its own. A page
+# has only the letters of them that it needs.
 set(fonts)
+function(subset_font from to)
+  set(script "${PROJECT_SOURCE_DIR}/cmake/subset_font.py")
+  set(interface "${PROJECT_SOURCE_DIR}/app/ui/kit/fonts.cpp")
+  file(GLOB texts CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/assets/lessons/*" "${PROJECT_SOURCE_DIR}/assets/scenes/*")
+  file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/fonts")
+  add_custom_command(OUTPUT "${to}" COMMAND python3 "${script}" "${from}" "${to}" "${interface}" ${texts}
+    DEPENDS "${script}" "${interface}" ${texts} VERBATIM)
+endfunction()
 function(find_font name package)
   string(MAKE_C_IDENTIFIER "NORMALSCOPE_FONT_${name}" variable)
   find_file(${variable} ${name}
@@ -9,11 +18,15 @@ function(find_font name package)
   if(NOT ${variable})
     message(FATAL_ERROR "${name} was not found: install ${package}, or set ${variable} to its path")
   endif()
-  set(fonts ${fonts} "fonts/${name}=${${variable}}" PARENT_SCOPE)
+  set(font "${${variable}}")
+  if(EMSCRIPTEN)
+    subset_font("${font}" "${PROJECT_BINARY_DIR}/fonts/${name}")
+    set(font "${PROJECT_BINARY_DIR}/fonts/${name}")
+  endif()
+  set(fonts ${fonts} "fonts/${name}=${font}" PARENT_SCOPE)
 endfunction()
 
 find_font(OpenSans-Regular.ttf fonts-open-sans)
 find_font(OpenSans-Semibold.ttf fonts-open-sans)
 find_font(OpenSans-SemiboldItalic.ttf fonts-open-sans)
-find_font(OpenSans-Bold.ttf fonts-open-sans)
 find_font(DejaVuSans.ttf fonts-dejavu-core)

@@ -62,6 +62,7 @@ bool Interface::prepare(Theme theme, float scale) {
 }
 
 void Interface::find_fonts_by(FindFonts find) { state_->letters.find_by(std::move(find)); }
+void Interface::draw_letters_by(DrawLetter draw) { state_->letters.draw_by(std::move(draw)); }
 
 PixelRect Interface::picture(glm::ivec2 framebuffer) const {
     const Arrangement a = state_->arrangement(framebuffer);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/font_file.h"
+#include "core/base/letter_picture.h"
 #include "core/frame/carried_arrows.h"
 #include "core/frame/frame.h"
 #include "core/lessons/lesson.h"
@@ -34,8 +35,9 @@ public:
     /// is made anew where the scale changed or letters are missing; true says so, and that the backend must upload it again.
     bool prepare(Theme theme, float scale);
 
-    /// Fonts for letters that the program's own lack.
+    /// Fonts for letters that the program's own lack, or who draws such letters.
     void find_fonts_by(FindFonts find);
+    void draw_letters_by(DrawLetter draw);
 
     /// Where the picture goes in a framebuffer of this size: what the panels, and the strip of words below, leave.
     PixelRect picture(glm::ivec2 framebuffer) const;

@@ -40,6 +40,12 @@ bool Document::as_named() const {
            (scene.surface == named.surface && scene.stack == named.stack && scene.mistake == named.mistake);
 }
 
+bool Document::as_opened() const {
+    Scene now = scene;
+    now.theme = origin_->saved.theme;
+    return now == origin_->saved;
+}
+
 std::vector<Work> Document::all_unsaved() const {
     std::vector<Work> works;
     std::set<const Origin*> seen;  // of each, only the last state counts

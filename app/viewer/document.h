@@ -41,6 +41,8 @@ public:
     bool as_named() const;
     /// There is work that no file holds. How one looks at a scene is none where it has no file of its own.
     bool unsaved() const;
+    /// It is what its file holds, and seen as it was there; but for the room's light.
+    bool as_opened() const;
     /// All such work that an undo leads back to, also from before another scene was opened; the newest is the last.
     std::vector<Work> all_unsaved() const;
 

@@ -144,7 +144,7 @@ std::string Viewer::address() const {
     if (exercising()) return "exercises:" + std::to_string(lecture().exercises.seed());
     if (in_lesson() && is_built_in_lesson(document_.file()))
         return address_of_step(document_.file(), lecture().player.number());
-    if (!document_.unsaved() && is_built_in_scene(document_.file())) return document_.file();
+    if (document_.as_opened() && is_built_in_scene(document_.file())) return document_.file();
     return link_of(document_.scene);
 }
 
@@ -191,7 +191,8 @@ void Viewer::take(Opened opened) {
         else
             document_.open(std::move(opened.scene), opened.file);
     }
-    if (presenting() || left == document_.origin()) return;
+    // A picture by itself, as in another page, says nothing but what it shows.
+    if (presenting() || !gui_.interface.panel_shown() || left == document_.origin()) return;
     for (const Work& work : document_.all_unsaved())
         if (work.origin == left)
             gui_.interface.show_note("Ctrl+Z goes back to " + name_of(work) + ", which is not saved");
@@ -235,6 +236,13 @@ void Viewer::copy_link() {
     gui_.interface.show_note(mesh ? "Copied a link to this scene. It names " + mesh->mesh +
                                         " but does not hold it: anyone who opens the link needs that file, too"
                                   : "Copied a link to this scene: paste it with Ctrl+V, or give it as FILE");
+}
+
+void Viewer::copy_frame() {
+    const bool lesson = in_lesson() && is_built_in_lesson(document_.file());
+    host_.set_clipboard(
+        frame_html(host_.address_of(lesson ? address() : link_of(document_.scene)), said_of(document_.scene).caption));
+    gui_.interface.show_note("Copied HTML: in a page beside normalscope.html it shows this");
 }
 
 void Viewer::copy_equations() {

@@ -16,6 +16,7 @@ constexpr double kShortestRound = 1e-5;  // Dear ImGui's time must go on
 Gui::Gui(Host& host) : host_(host), time_(host.now() - 1.0 / 60.0) {
     ImGui::CreateContext();
     interface.find_fonts_by([this](std::span<const char32_t> letters) { return host_.fonts_for(letters); });
+    interface.draw_letters_by([this](char32_t letter, float em) { return host_.draw_letter(letter, em); });
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;  // what is worth remembering, the host remembers
     io.ClipboardUserData = this;

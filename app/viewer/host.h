@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/font_file.h"
+#include "core/base/letter_picture.h"
 #include "core/frame/frame.h"
 #include "core/image/image.h"
 
@@ -44,6 +45,8 @@ public:
 
     /// Fonts that have these letters, which the program's own lack.
     virtual std::vector<FontFile> fonts_for(std::span<const char32_t> /*letters*/) { return {}; }
+    /// Or such a letter as pixels, where there are fonts, but none as a file.
+    virtual std::optional<LetterPicture> draw_letter(char32_t /*letter*/, float /*em*/) { return std::nullopt; }
 
     virtual std::string clipboard() = 0;
     virtual void set_clipboard(const std::string& text) = 0;

@@ -26,12 +26,11 @@ Viewer::Viewer(Host& host, Opened first, Remembered remembered)
     : host_(host),
       gui_(host),
       scale_(remembered.scale),
-      motion_(remembered.motion),
       document_(first.scene, is_more_than_a_scene(first) ? "" : first.file),
       frames_wanted_(kFramesAfterEvent),
       laid_out_at_(host.now()) {
     lecture().progress = std::move(remembered.lessons);
-    lecture().player.moves = motion_;
+    set_motion(remembered.motion);
     if (is_more_than_a_scene(first))
         take(std::move(first));
     else
@@ -44,6 +43,8 @@ Viewer::Viewer(Host& host, Opened first, Remembered remembered)
         greeting_ = true, gui_.interface.play(document_.scene);
     if (!offered_.empty()) offer();
 }
+
+void Viewer::set_motion(bool moves) { motion_ = lecture().player.moves = moves; }
 
 Remembered Viewer::remembered() const {
     return {.scale = scale_,
@@ -239,6 +240,7 @@ void Viewer::obey(const Requests& requests) {
     if (requests.full_screen) host_.toggle_full_screen();
     if (requests.end_presenting) present(false);
     if (requests.copy_link) copy_link();
+    if (requests.copy_frame) copy_frame();
     if (requests.copy_equations) copy_equations();
     if (requests.quit) close();
     if (requests.reply) obey(*requests.reply);

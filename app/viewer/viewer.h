@@ -57,6 +57,8 @@ public:
 
     /// For a picture by itself, as in a page of others.
     void show_panel(bool shown);
+    /// Whether anything may move by itself.
+    void set_motion(bool moves);
     /// As F5 does, where there is no full screen.
     void present_in_place();
     /// As it is seen, without the panel; a name that ends in .svg gets the vector parts. Throws InputError.
@@ -144,6 +146,7 @@ private:
     void save_scene(const std::filesystem::path& file);
     void copy_command();
     void copy_link();
+    void copy_frame();
     void copy_equations();
     void paste();
     void show_title();

@@ -11,6 +11,7 @@
 #include "web/page.h"
 
 #include <emscripten/em_macros.h>
+#include <malloc.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -202,6 +203,9 @@ EMSCRIPTEN_KEEPALIVE const char* page_line() {
     with_viewer([&](const Viewer& viewer) { text = viewer.interface().message(); });
     return given(std::move(text));
 }
+EMSCRIPTEN_KEEPALIVE void page_move(int moves) {
+    with_viewer([&](Viewer& viewer) { viewer.set_motion(moves != 0); });
+}
 /// How the page is set into another: without the panel, or as for a room.
 EMSCRIPTEN_KEEPALIVE void page_set_in(int panel, int presenting) {
     with_viewer([&](Viewer& viewer) {
@@ -221,6 +225,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_scene() {
     with_viewer([&](const Viewer& viewer) { text = scene_text(viewer.scene()); });
     return given(std::move(text));
 }
+/// Bytes in use, for the benchmark.
+EMSCRIPTEN_KEEPALIVE double page_heap() { return static_cast<double>(mallinfo().uordblks); }
 /// As --numbers writes it.
 EMSCRIPTEN_KEEPALIVE const char* page_numbers() {
     std::string text;

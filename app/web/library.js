@@ -8,6 +8,15 @@ addToLibrary({
     page_toggle_full_screen: () => Module.page.toggleFullScreen(),
     page_choose_file: () => Module.page.chooseFile(),
     page_download: (name, bytes, size) => Module.page.download(UTF8ToString(name), HEAPU8.slice(bytes, bytes + size)),
+    page_draw_letter__deps: ["malloc"],
+    page_draw_letter: (letter, em, measures) => {
+        const drawn = Module.page.drawLetter(String.fromCodePoint(letter), em);
+        if (!drawn) return 0;
+        HEAPF32.set(drawn.measures, measures >> 2);
+        const cover = _malloc(drawn.cover.length);
+        HEAPU8.set(drawn.cover, cover);
+        return cover;
+    },
     page_address__deps: ["$stringToNewUTF8"],
     page_address: (name) => stringToNewUTF8(Module.page.addressOf(UTF8ToString(name))),
 });

@@ -29,6 +29,12 @@ EMSCRIPTEN_WEBGL_CONTEXT_HANDLE make_context() {
     return context;
 }
 
+// Whether anything moves is the browser's to say, each time.
+std::string kept(Remembered remembered) {
+    remembered.motion = true;
+    return remembered_text(remembered);
+}
+
 const char* cursor() {
     switch (ImGui::GetMouseCursor()) {
         case ImGuiMouseCursor_None: return "none";
@@ -54,7 +60,7 @@ struct Page::Drawing {
 };
 
 Page::Page(glm::ivec2 size, float scale, Opened first, Remembered remembered)
-    : size_(size), scale_(scale), context_(make_context()), remembered_(remembered_text(remembered)) {
+    : size_(size), scale_(scale), context_(make_context()), remembered_(kept(remembered)) {
     viewer_ = std::make_unique<Viewer>(*this, std::move(first), std::move(remembered));
     drawing_ = std::make_unique<Drawing>();  // Dear ImGui's context is the viewer's
 }
@@ -81,7 +87,7 @@ void Page::restore() {
 }
 
 void Page::remember() {
-    std::string now = remembered_text(viewer_->remembered());
+    std::string now = kept(viewer_->remembered());
     if (now != remembered_) page_remember("settings", (remembered_ = std::move(now)).c_str());
 }
 
@@ -128,6 +134,21 @@ Image Page::image_of(const Frame& frame) {
     drawing_->renderer.draw(frame, whole);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     return whole.read();
+}
+
+std::optional<LetterPicture> Page::draw_letter(char32_t letter, float em) {
+    std::array<float, 5> measures{};
+    unsigned char* cover = page_draw_letter(letter, em, measures.data());
+    if (!cover) return std::nullopt;
+    const auto [width, height, left, above, advance] = measures;
+    LetterPicture picture{.width = static_cast<int>(width),
+                          .height = static_cast<int>(height),
+                          .left = left,
+                          .above = above,
+                          .advance = advance};
+    picture.cover.assign(cover, cover + static_cast<std::ptrdiff_t>(picture.width) * picture.height);
+    std::free(cover);
+    return picture;
 }
 
 void Page::set_clipboard(const std::string& text) {

@@ -37,6 +37,7 @@ public:
     void draw(const Picture& picture) override;
     void show() override;
     Image image_of(const Frame& frame) override;
+    std::optional<LetterPicture> draw_letter(char32_t letter, float em) override;
     std::string clipboard() override { return clipboard_; }
     void set_clipboard(const std::string& text) override;
     void set_title(const std::string& title) override;

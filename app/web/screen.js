@@ -19,7 +19,8 @@ function frame() {
     const due = call("step", "number", [], []);
     nextIn = due < 0 ? Infinity : due;
     ++drawn;
-    after();
+    showKeyboard(call("wants_letters", "number", [], []));
+    if (due !== 0) after();
     if (due === 0) wanted = requestAnimationFrame(frame);
     else if (due > 0) later = setTimeout(wake, 1000 * due);
 }
@@ -34,19 +35,21 @@ function wake() {
 // At once, until nothing is left to do: what the browser allows only within an event hangs on what is under the finger.
 function settle() {
     for (let i = 0; i < 4; ++i) call("step", "number", [], []);
-    after();
+    showKeyboard(call("wants_letters", "number", [], []));
     wake();
 }
 
+// When nothing is on its way: what is seen is said wherever it is to be said.
 function after() {
-    showKeyboard(call("wants_letters", "number", [], []));
     if (call("is_busy", "number", [], [])) return;
     call("remember_settings", null, [], []);
-    followAddress();
+    clearTimeout(following);
+    following = setTimeout(followAddress, 250);  // not each notch of a wheel
     describe();
     tellWhatIsShown();
 }
 
+let following = 0;
 let said = "";
 function describe() {
     const now = call("description", "string", [], []);

@@ -180,6 +180,16 @@ TEST_F(FilesTest, ALinkThroughTheClipboard) {
     EXPECT_EQ(named(), "");
 }
 
+TEST_F(FilesTest, AnAddressNamesABuiltInSceneAsLongAsItIsSeenAsItIs) {
+    start(light("shear"), "shear");
+    EXPECT_EQ(viewer().address(), "shear");
+    key(ImGuiKey_T);
+    EXPECT_EQ(viewer().address(), "shear");
+    key(ImGuiKey_2);
+    EXPECT_TRUE(is_link(viewer().address())) << "the camera has moved";
+    EXPECT_EQ(scene_of_link(viewer().address()).camera, scene().camera);
+}
+
 TEST_F(FilesTest, ALinkToAMeshSaysWhatItDoesNotHold) {
     write("t.obj", kTetrahedron);
     start();

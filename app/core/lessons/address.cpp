@@ -1,6 +1,7 @@
 #include "core/lessons/address.h"
 
 #include "core/base/error.h"
+#include "core/base/html.h"
 #include "core/lessons/lesson.h"
 
 #include <algorithm>
@@ -56,6 +57,17 @@ std::optional<std::string> name_of_address(std::string_view text) {
 
 std::string address_of_step(const std::string& lesson, std::size_t step) {
     return lesson + "/" + std::to_string(step + 1);
+}
+
+std::string frame_html(std::string_view address, std::string_view title) {
+    const auto mark = address.find('#');
+    const std::string_view page =
+        mark == address.npos ? "normalscope.html" : address.substr(0, address.find_first_of("?#"));
+    const std::string_view shown = mark == address.npos ? address : address.substr(mark + 1);
+    return "<iframe src=\"" + html_text(page) + "?panel=0#" + html_text(shown) +
+           "\" sandbox=\"allow-scripts allow-downloads\" allow=\"fullscreen; clipboard-write\"\n  width=\"800\" "
+           "height=\"500\" title=\"" +
+           html_text(title) + "\"></iframe>\n";
 }
 
 }  // namespace normalscope

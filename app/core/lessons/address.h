@@ -16,4 +16,8 @@ std::optional<std::string> name_of_address(std::string_view text);
 /// A lesson's step, counted from 0.
 std::string address_of_step(const std::string& lesson, std::size_t step);
 
+/// HTML for another page, which shows this in a frame. `address`: the program's page with a name or link behind "#", or that
+/// alone, for a page that lies beside normalscope.html. `title`: for whoever does not see it.
+std::string frame_html(std::string_view address, std::string_view title);
+
 }  // namespace normalscope

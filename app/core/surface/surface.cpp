@@ -112,6 +112,9 @@ std::optional<double> error_degrees(const NormalMatrices& matrices, Normal<Objec
 
 namespace {
 
+// Of equally bad ones the first is named: a rounding, which differs from library to library, must not choose.
+constexpr double kEqualRadians = 1e-12, kEqualDegrees = 1e-10;
+
 // Of a 3×3 matrix, where M is affine and has an inverse.
 std::optional<ErrorStatistics> linear_error_statistics(const Mesh& mesh, const glm::dmat3& shown,
                                                        const NormalMatrices& matrices) {
@@ -129,7 +132,7 @@ std::optional<ErrorStatistics> linear_error_statistics(const Mesh& mesh, const g
         const double angle = std::atan2(sine, cosine);
         sum += angle;
         ++count;
-        if (angle > worst_angle) {
+        if (angle > worst_angle + kEqualRadians) {
             worst_angle = angle;
             worst = i;
         }
@@ -164,7 +167,7 @@ std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMa
         const auto error = right ? angle_degrees(naive(n).xyz, right->xyz) : std::nullopt;
         if (!error) continue;
         sum += *error;
-        if (count++ == 0 || *error > statistics.worst_degrees) {
+        if (count++ == 0 || *error > statistics.worst_degrees + kEqualDegrees) {
             statistics.worst_degrees = *error;
             statistics.at = {mesh.positions[i]};
         }

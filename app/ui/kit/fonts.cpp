@@ -43,6 +43,7 @@ struct Face {
     float height;  ///< ascent and descent, in ems
 };
 constexpr Face kRegular{"fonts/OpenSans-Regular.ttf", 1.362f};
+constexpr float kAscent = 0.785f;  // of that height, above the baseline
 constexpr Face kSemibold{"fonts/OpenSans-Semibold.ttf", 1.362f};
 constexpr Face kSlanted{"fonts/OpenSans-SemiboldItalic.ttf", 1.362f};
 constexpr Face kSymbols{"fonts/DejaVuSans.ttf", 1.164f};
@@ -110,14 +111,13 @@ void ExtraLetters::want(std::string_view utf8, const ImFont* font) {
 }
 
 bool ExtraLetters::find_more(const ImFont* font) {
-    if (!find_) return false;
     std::vector<char32_t> missing;
     for (const ImWchar letter : letters_)
         if (!font->FindGlyphNoFallback(letter) && asked_.insert(letter).second) missing.push_back(letter);
     if (missing.empty()) return false;
-    std::vector<FontFile> fonts = find_(missing);
+    std::vector<FontFile> fonts = find_ ? find_(missing) : std::vector<FontFile>();
     std::ranges::move(fonts, std::back_inserter(found_));
-    return !fonts.empty();
+    return !fonts.empty() || drawn_.add(missing);
 }
 
 Fonts build_fonts(float scale, ExtraLetters& extra, Previews* previews, bool captions) {
@@ -139,6 +139,7 @@ Fonts build_fonts(float scale, ExtraLetters& extra, Previews* previews, bool cap
             baker.merge(kRegular, em, letters.data(), font);
             baker.merge(kSymbols, em * kSymbolsSize, letters.data(), font);
             for (const FontFile& found : extra.found()) baker.merge(found, em, letters.data());
+            extra.drawn().reserve(atlas, font, em * scale, std::round(em * kRegular.height * scale) * kAscent);
         }
         return font;
     };
@@ -158,6 +159,7 @@ Fonts build_fonts(float scale, ExtraLetters& extra, Previews* previews, bool cap
     ImGui::GetIO().FontDefault = fonts.body;
     if (previews) previews->reserve(atlas);
     atlas.Build();
+    extra.drawn().place(atlas);
     if (previews) previews->place(atlas);
     extra.built();
     return extra.find_more(fonts.body) ? build_fonts(scale, extra, previews, captions) : fonts;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/font_file.h"
+#include "ui/kit/drawn_letters.h"
 
 #include <imgui.h>
 
@@ -41,15 +42,18 @@ public:
 
     /// Who has fonts for letters that the program's own lack. Without, these are shown as question marks.
     void find_by(FindFonts find) { find_ = std::move(find); }
-    /// Asks for the letters that `font` lacks even now, each once. Whether there is another font for them.
+    void draw_by(DrawLetter draw) { drawn_.draw_by(std::move(draw)); }
+    /// Asks for the letters that `font` lacks even now, each once. Whether there is another font for them, or who draws them.
     bool find_more(const ImFont* font);
     const std::vector<FontFile>& found() const { return found_; }
+    DrawnLetters& drawn() { return drawn_; }
 
 private:
     std::set<ImWchar> letters_, asked_;
     bool pending_ = false;
     FindFonts find_;
     std::vector<FontFile> found_;
+    DrawnLetters drawn_;
 };
 
 /// Makes the current context's font atlas anew and bakes it, with room for the previews that are wanted. `captions`: with

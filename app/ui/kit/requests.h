@@ -26,6 +26,7 @@ struct Requests {
     bool copy_command = false;  ///< the command line that captures what is shown
     bool end_presenting = false;
     bool copy_link = false, copy_equations = false;
+    bool copy_frame = false;               ///< HTML that shows it in another page
     std::optional<std::string> open;       ///< a scene, a mesh, a lesson, or the name of a built-in one
     std::optional<std::string> open_mesh;  ///< a mesh as the scene's surface, all else kept
     bool save = false;                     ///< to the open file, or to one that is asked for

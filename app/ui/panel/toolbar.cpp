@@ -41,13 +41,16 @@ void scene_menu(PanelMemory& memory, const PanelContext& context, float width) {
 
 void share_menu(Scene& scene, const PanelContext& context) {
     const Look& look = context.look;
-    if (icon_button(look, "##share",
-                    {.icon = Icon::Share, .about = "Share: the picture, a link, the equations", .side = kIconSide}))
+    if (icon_button(
+            look, "##share",
+            {.icon = Icon::Share, .about = "Share: the picture, a link, HTML, the equations", .side = kIconSide}))
         ImGui::OpenPopup("##sharing");
     if (!ImGui::BeginPopup("##sharing")) return;
     if (ImGui::MenuItem("Save picture…", "Ctrl+P")) context.dialog.open(FileDialog::For::SavePicture);
     if (ImGui::MenuItem("Copy link", "Ctrl+L")) context.requests.copy_link = true;
     tip(look, "The whole scene as one line of text: anyone who pastes it with Ctrl+V sees what you see.");
+    if (ImGui::MenuItem("Copy HTML for a web page")) context.requests.copy_frame = true;
+    tip(look, "A frame with what you see, for a page of yours: put normalscope.html beside it.");
     if (ImGui::MenuItem("Copy equations as LaTeX", "Ctrl+Shift+L")) context.requests.copy_equations = true;
     if (ImGui::MenuItem("Copy as a command", "Ctrl+C")) context.requests.copy_command = true;
     tip(look, "The command line that captures this picture.");

@@ -1,5 +1,7 @@
 #include "core/lessons/link.h"
+
 #include "core/base/error.h"
+#include "core/lessons/address.h"
 #include "core/lessons/lesson.h"
 #include "core/lessons/open.h"
 #include "random.h"
@@ -70,6 +72,15 @@ TEST(Link, TellsOfNewerVersions) {
     } catch (const InputError& e) {
         EXPECT_NE(std::string(e.what()).find("newer version"), std::string::npos);
     }
+}
+
+TEST(Link, StandsInAFrame) {
+    EXPECT_NE(frame_html("https://x.org/a.html?present#shear", "A \"<b>\"")
+                  .find("src=\"https://x.org/a.html?panel=0#shear\""),
+              std::string::npos);
+    const std::string html = frame_html(link_of(Scene{}), "A \"<b>\"");
+    EXPECT_TRUE(html.starts_with("<iframe src=\"normalscope.html?panel=0#normalscope:1.")) << html;
+    EXPECT_NE(html.find("title=\"A &quot;&lt;b&gt;&quot;\""), std::string::npos) << html;
 }
 
 // This one was made when links began: it must open for ever.

@@ -62,5 +62,27 @@ TEST(SystemFonts, AreLeftOutWhereTheyCannotBeRead) {
     ImGui::DestroyContext();
 }
 
+TEST(SystemFonts, OrTheirLettersAreDrawn) {
+    ImGui::CreateContext();
+    ExtraLetters letters;
+    letters.draw_by([](char32_t, float em) {
+        return LetterPicture{.width = 2, .height = 1, .cover = {7, 77}, .left = 1, .above = 12, .advance = em};
+    });
+    Fonts fonts = build_fonts(2, letters);
+    letters.want("法", fonts.body);
+    fonts = build_fonts(2, letters);
+    const ImFontGlyph* glyph = fonts.body->FindGlyphNoFallback(U'法');
+    ASSERT_TRUE(glyph);
+    EXPECT_FLOAT_EQ(glyph->AdvanceX, 30);  // of 15, at a scale of 2
+    EXPECT_NEAR(glyph->Y0, fonts.body->Ascent - 12, 1.0f);
+    unsigned char* pixels = nullptr;
+    int width = 0, height = 0;
+    ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+    const auto x = static_cast<int>(glyph->U0 * static_cast<float>(width) + 0.5f);
+    const auto y = static_cast<int>(glyph->V0 * static_cast<float>(height) + 0.5f);
+    EXPECT_EQ((std::vector<int>{pixels[y * width + x], pixels[y * width + x + 1]}), (std::vector<int>{7, 77}));
+    ImGui::DestroyContext();
+}
+
 }  // namespace
 }  // namespace normalscope
