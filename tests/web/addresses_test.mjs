@@ -4,11 +4,13 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import test from "node:test";
 
-import { ask, drawn, folder, launch, listen, open, press, program, scene, serve } from "./browser.mjs";
+import { ask, drawn, fileOf, folder, launch, listen, open, ours, press, program, scene, serve } from "./browser.mjs";
 
 const browser = await launch();
 test.after(() => browser.close());
 const lesson = "1-normal-as-a-point";
+// The address comes a moment after the picture.
+const settled = async (page) => { await drawn(page); await new Promise((done) => setTimeout(done, 400)); };
 const hash = (page) => page.evaluate("location.hash");
 
 test("the address follows, and does not fill the history", async (t) => {
@@ -26,6 +28,48 @@ test("the address follows, and does not fill the history", async (t) => {
     assert.equal(said.M[0][1], 0.8);
     await page.close();
     await other.page.close();
+});
+
+test("the camera is in the address, and a visit leaves one entry in the history", async (t) => {
+    const { url } = await serve(t);
+    const { page } = await open(browser, url + "#shear");
+    await settled(page);
+    assert.equal(await hash(page), "#shear");
+    const before = await page.evaluate("history.length");
+    await page.mouse.move(900, 560);
+    for (let i = 0; i < 4; ++i) {
+        await page.mouse.down();
+        await page.mouse.move(900 - 20 * i, 500, { steps: 3 });
+        await page.mouse.up();
+        await page.mouse.wheel({ deltaY: -100 });
+        await settled(page);
+    }
+    const { camera } = await scene(page);
+    assert.equal(await page.evaluate("history.length"), before);
+    assert.ok((await hash(page)).startsWith("#normalscope:1."), await hash(page));
+    await page.reload();
+    await drawn(page);
+    assert.deepEqual((await scene(page)).camera, camera);
+    await page.close();
+});
+
+test("slides drive it: docs/slides.html", async (t) => {
+    const files = { "/slides.html": ours("docs/slides.html") };
+    for (const name of ["reveal.js", "reveal.css", "theme/white.css"]) files["/reveal.js/" + name] = fileOf("reveal.js/dist/" + name);
+    const { origin } = await serve(t, files);
+    const page = await browser.newPage();
+    const said = listen(page);
+    await page.setViewport({ width: 1200, height: 800 });
+    await page.goto(origin + "/slides.html");
+    await page.evaluate(() => Reveal.next());
+    const inner = await (await page.$("#normals")).contentFrame();
+    await drawn(inner);
+    for (const [way, step] of [["next", 2], ["next", 3], ["prev", 2]]) {
+        await page.evaluate((go) => Reveal[go](), way);
+        await inner.waitForFunction((wanted) => JSON.parse(call("told", "string", [], [])).step === wanted, {}, step);
+    }
+    assert.deepEqual(said.filter((line) => !line.includes("404")), []);  // a theme's own fonts
+    await page.close();
 });
 
 test("back and forward go from step to step of a lesson", async (t) => {

@@ -4,16 +4,21 @@
 //   NORMALSCOPE          the desktop's program
 //   NORMALSCOPE_MODULES  a folder with node_modules/puppeteer-core
 
+import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
-import { join, resolve } from "node:path";
+import { extname, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
 const require = createRequire(join(resolve(process.env.NORMALSCOPE_MODULES), "package.json"));
 const puppeteer = require("puppeteer-core");
+
+// A file of a package, or of this project's.
+export const fileOf = (path) => readFileSync(require.resolve(path));
+export const ours = (path) => readFileSync(new URL("../../" + path, import.meta.url));
 
 export const pageFile = resolve(process.env.NORMALSCOPE_PAGE);
 export const program = (...args) => execFileSync(process.env.NORMALSCOPE, args, { encoding: "utf8", maxBuffer: 1 << 26 });
@@ -40,6 +45,7 @@ export function folder(test) {
 }
 
 // Serves the page as the simplest of servers does, without any headers of its own; and other pages by their paths.
+const kinds = { ".css": "text/css", ".js": "text/javascript" };
 export function serve(test, others = {}) {
     const page = readFileSync(pageFile);
     const asked = [];
@@ -47,7 +53,7 @@ export function serve(test, others = {}) {
         const path = new URL(request.url, "http://x").pathname;
         asked.push(path);
         if (path === "/normalscope.html") response.setHeader("Content-Type", "text/html").end(page);
-        else if (others[path]) response.setHeader("Content-Type", "text/html").end(others[path]);
+        else if (others[path]) response.setHeader("Content-Type", kinds[extname(path)] ?? "text/html").end(others[path]);
         else response.writeHead(path === "/favicon.ico" ? 204 : 404).end();
     });
     test.after(() => server.close());
@@ -90,4 +96,14 @@ export async function press(page, ...keys) {
     for (const key of keys) await page.keyboard.down(key);
     for (const key of keys.reverse()) await page.keyboard.up(key);
     await drawn(page);
+}
+
+// Every scene and lesson, one after the other in one page.
+export async function eachOpens(page) {
+    for (const name of [...names("scenes"), ...names("lessons"), "exercises:42"]) {
+        await page.evaluate((hash) => { location.hash = hash; }, name);
+        await page.waitForFunction((wanted) => document.title.includes(wanted.split(":")[0]), { timeout: 60000 }, name);
+        await drawn(page);
+        assert.equal(await page.evaluate("line()"), "", name);
+    }
 }

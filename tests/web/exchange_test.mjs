@@ -31,6 +31,17 @@ test("dropped: a mesh, a scene, and what is neither", async () => {
     await page.close();
 });
 
+test("a file that is too large, and storage that is full", async () => {
+    const { page, said } = await open(browser, fileUrl);
+    await page.evaluate(() => { Storage.prototype.setItem = () => { throw new DOMException("full", "QuotaExceededError"); }; });
+    await page.evaluate(() => openFile({ name: "huge.obj", size: 2 ** 33 }));
+    await page.waitForFunction(() => line() === "huge.obj: cannot be read: larger than 512 MB, the most that a page reads");
+    await press(page, "n");
+    assert.equal((await scene(page)).rule, "naive");
+    assert.deepEqual(said, []);
+    await page.close();
+});
+
 test("opened by the browser's dialog", async (t) => {
     const file = join(folder(t), "mine.json");
     writeFileSync(file, JSON.stringify({ rule: "cofactor" }));

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 
-import { ask, drawn, fileUrl, launch, listen, names, open, serve } from "./browser.mjs";
+import { ask, drawn, eachOpens, fileUrl, launch, listen, open, serve } from "./browser.mjs";
 
 const browser = await launch();
 test.after(() => browser.close());
@@ -11,12 +11,7 @@ test.after(() => browser.close());
 test("each scene and lesson, one after the other", async (t) => {
     const { url, asked } = await serve(t);
     const { page, said } = await open(browser, url);
-    for (const name of [...names("scenes"), ...names("lessons"), "exercises:42"]) {
-        await page.evaluate((hash) => { location.hash = hash; }, name);
-        await page.waitForFunction((wanted) => document.title.includes(wanted.split(":")[0]), { timeout: 60000 }, name);
-        await drawn(page);
-        assert.equal(await page.evaluate("line()"), "", name);
-    }
+    await eachOpens(page);
     assert.deepEqual(said, []);
     assert.deepEqual([...new Set(asked)].filter((path) => path !== "/favicon.ico"), ["/normalscope.html"]);
     await page.close();

@@ -50,6 +50,39 @@ test("without WebGL 2 one sentence says so", async () => {
     await page.close();
 });
 
+test("nothing moves by itself where that is unwanted", async () => {
+    const swings = async (motion) => {
+        const page = await browser.newPage();
+        await page.emulateMediaFeatures([{ name: "prefers-reduced-motion", value: motion }]);
+        await page.goto(fileUrl);
+        await drawn(page);
+        const before = await page.evaluate("drawn");
+        await page.keyboard.press("n");
+        await drawn(page);
+        const frames = (await page.evaluate("drawn")) - before;
+        assert.ok(!(await page.evaluate("localStorage.getItem('normalscope.settings') || ''")).includes("motion"));
+        await page.close();
+        return frames;
+    };
+    const still = await swings("reduce");
+    assert.ok(still <= 12, `${still} frames`);
+    assert.ok(await swings("no-preference") > still);
+});
+
+test("letters that the program has no font for are the browser's", async () => {
+    const { page, said } = await open(browser, fileUrl);
+    await page.evaluate(() => {
+        const before = page.drawLetter;
+        window.drawnLetters = [];
+        page.drawLetter = (letter, em) => (drawnLetters.push(letter), before(letter, em));
+        complain("\u0416 \u0142 \u05D0: no such letter");
+    });
+    await page.waitForFunction(() => line().includes("no such letter") && drawnLetters.length > 0);
+    assert.deepEqual([...new Set(await page.evaluate("drawnLetters"))].sort(), ["\u0416", "\u05D0"]);
+    assert.deepEqual(said, []);
+    await page.close();
+});
+
 test("whoever does not see is told", async () => {
     const { page } = await open(browser, fileUrl);
     assert.equal(await page.evaluate("document.documentElement.lang"), "en");
