@@ -48,11 +48,13 @@ void ProbeTrail::follow(const Scene& scene, const Frame& frame) {
 void ProbeTrail::draw(const Look& look, const Frame& frame) const {
     if (steps_.size() < 3 || !(steps_.back().way > 0.0)) return;
     const ThemeColors colors = theme_colors(frame.theme);
-    const float margin = look.px(14), width = look.px(232), height = look.px(104), pad = look.px(10);
+    // In a narrow picture it leaves the middle to the object.
+    const float whole = look.px(232), width = std::min(whole, 0.42f * static_cast<float>(frame.rect.size.x));
+    if (width < look.px(140)) return;
+    const float margin = look.px(14), height = look.px(104), pad = look.px(10);
     const ImVec2 high{static_cast<float>(frame.rect.origin.x + frame.rect.size.x) - margin,
                       static_cast<float>(frame.rect.origin.y) + margin + height},
         low{high.x - width, high.y - height};
-    if (2 * width > static_cast<float>(frame.rect.size.x)) return;
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const auto ink = [&](const glm::vec3& color, float alpha = 1.0f) { return packed(faded(to_imgui(color), alpha)); };
     const auto write = [&](const ImFont* font, ImVec2 at, ImU32 color, const std::string& text) {
@@ -61,7 +63,8 @@ void ProbeTrail::draw(const Look& look, const Frame& frame) const {
     list.AddRectFilled(low, high, ink(colors.text_shadow, 0.78f), look.px(8));
     list.AddRect(low, high, ink(colors.grid, 0.25f), look.px(8));
     const ImFont* font = look.fonts.small;
-    write(font, {low.x + pad, low.y + look.px(5)}, ink(colors.text), "angle off, along the way");
+    write(font, {low.x + pad, low.y + look.px(5)}, ink(colors.text),
+          width < whole ? "angle off" : "angle off, along the way");
     const std::string now = in_degrees(steps_.back().degrees);
     write(look.fonts.strong,
           {high.x - pad - look.fonts.strong->CalcTextSizeA(look.fonts.strong->FontSize, 1e9f, 0, now.c_str()).x,
