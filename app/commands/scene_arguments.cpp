@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/lessons/open.h"
 #include "core/scene/setting.h"
+#include "ui/lecture/step_line.h"
 
 namespace normalscope {
 
@@ -27,7 +28,8 @@ CaptureOptions capture_options(const PictureArguments& arguments, const Subject&
             .panel = arguments.panel || !arguments.tab.empty(),
             .tab = arguments.tab,
             .lesson = arguments.captions ? subject.lesson : nullptr,
-            .step = subject.step};
+            .step = subject.step,
+            .line = subject.lesson ? line_of(subject.lesson->steps[subject.step]) : std::nullopt};
 }
 
 }  // namespace normalscope

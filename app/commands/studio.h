@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/context_choice.h"
+#include "core/frame/carried_arrows.h"
 #include "core/image/ground.h"
 #include "core/image/image.h"
 #include "core/lessons/lesson.h"
@@ -26,6 +27,7 @@ struct CaptureOptions {
     /// With a lesson: what its step says, below the picture, as in presenter mode.
     std::shared_ptr<const Lesson> lesson{};
     std::size_t step = 0;
+    std::optional<DerivationAt> line{};  ///< of the derivation, whose arrows are shown
 };
 
 struct Capture {

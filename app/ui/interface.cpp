@@ -4,6 +4,7 @@
 #include "ui/help.h"
 #include "ui/interface_state.h"
 #include "ui/kit/picture_labels.h"
+#include "ui/lecture/step_line.h"
 #include "ui/panel/drawer.h"
 #include "ui/panel/panel.h"
 
@@ -155,7 +156,9 @@ void Interface::show_derivation(bool shown) {
 }
 bool Interface::derivation_shown() const { return state_->side.open == kDerivation; }
 std::optional<DerivationAt> Interface::derivation_line() const {
-    return derivation_shown() && !state_->lecture.exercises.running() ? state_->derivation.current() : std::nullopt;
+    if (state_->lecture.exercises.running()) return std::nullopt;
+    if (derivation_shown()) return state_->derivation.current();
+    return state_->lecture.player.running() ? line_of(state_->lecture.player.step()) : std::nullopt;
 }
 std::optional<Highlight> Interface::highlighted() const { return state_->derivation.pointed_at(); }
 void Interface::highlight(const std::optional<Highlight>& in_picture) { state_->derivation.highlight(in_picture); }

@@ -57,7 +57,7 @@ public:
     /// The derivation, at the right of the picture; key D.
     void show_derivation(bool shown);
     bool derivation_shown() const;
-    /// The line at which the derivation stands, where it is gone through step by step: the picture shows its arrows.
+    /// The line at which the derivation, or a lesson's step, stands: the picture shows its arrows.
     std::optional<DerivationAt> derivation_line() const;
     /// What the pointer is on in the derivation, as of the last draw: the picture lights it up.
     std::optional<Highlight> highlighted() const;

@@ -4,6 +4,7 @@
 #include "core/base/json_position.h"
 #include "core/base/json_reading.h"
 #include "core/base/text.h"
+#include "core/base/utf8.h"
 #include "core/lessons/tabs.h"
 #include "core/scene/scene_patch.h"
 
@@ -21,13 +22,14 @@ constexpr std::string_view kLessonFolder = "assets/lessons/";
 // Beyond these, words would leave no room for the picture.
 constexpr std::size_t kLongestCaption = 400, kLongestNote = 240, kLongestChoice = 90, kMostEquations = 3,
                       kMostChoices = 5;
+constexpr std::size_t kLongestNotes = 4000;  // which no picture shows
 
 std::string words(const Json& json, const JsonPath& path, std::size_t most) {
     if (!json.is_string() || json.get_ref<const std::string&>().empty())
         throw JsonError(path, "expected words, in quotes");
     auto text = json.get<std::string>();
-    if (text.size() > most)
-        throw JsonError(path, "is " + std::to_string(text.size()) + " bytes long; at most " + std::to_string(most) +
+    if (const std::size_t characters = columns(text); characters > most)
+        throw JsonError(path, "is " + std::to_string(characters) + " characters long; at most " + std::to_string(most) +
                                   " leave room for the picture");
     std::ranges::replace_if(text, [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
     return text;
@@ -56,6 +58,12 @@ std::string read_tab(const Json& json, const JsonPath& path) {
     if (std::ranges::find(names, name) == names.end() && !line_of_tab(name))
         fail_kind(path, "one of " + joined(names), json);
     return name;
+}
+
+std::size_t read_line(const Json& json, const JsonPath& path) {
+    int line = 0;
+    read_value(json, path, line, Range{1, kLinesWithArrows});
+    return static_cast<std::size_t>(line - 1);
 }
 
 Choice read_choice(const Json& json, const JsonPath& path) {
@@ -99,6 +107,8 @@ LessonStep read_step(const Json& json, const JsonPath& path, const Scene& before
     if (const Json* equations = object.find("equations"))
         step.equations = read_equations(*equations, object.at("equations"));
     if (const Json* tab = object.find("tab")) step.tab = read_tab(*tab, object.at("tab"));
+    if (const Json* line = object.find("derivation")) step.line = read_line(*line, object.at("derivation"));
+    step.notes = words_if_any(object, "notes", kLongestNotes);
     if (const Json* question = object.find("question")) step.question = read_question(*question, object.at("question"));
     if (const Json* numbers = object.find("numbers")) step.numbers = read_numbers(*numbers, object.at("numbers"));
     object.no_other_keys();

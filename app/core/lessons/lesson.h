@@ -32,6 +32,8 @@ struct LessonStep {
     std::string look_at;                 ///< where to look; may be empty
     std::vector<std::string> equations;  ///< in a line each; "n_obj", "n_world" and the like are set as symbols
     std::string tab;                     ///< what is opened beside the picture; may be empty
+    std::optional<std::size_t> line;     ///< of the derivation, from 0, whose arrows stand in the picture
+    std::string notes;                   ///< for whoever teaches, never for a room
     std::optional<Question> question;
     /// What the caption claims: a dotted path in `--numbers` and its value. The tests hold it against the scene.
     std::map<std::string, double> numbers;

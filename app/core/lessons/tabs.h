@@ -30,16 +30,18 @@ inline std::vector<std::string> tab_names() {
     return names;
 }
 
+/// The check and the last column of M are the last two.
+inline constexpr std::size_t kLinesWithArrows = 10, kDerivationPassages = 12;
+
 /// The line, counted from 0, that "derivation#5" asks for; empty for anything else.
 inline std::optional<std::size_t> line_of_tab(std::string_view tab) {
     constexpr std::string_view kBefore = "derivation#";
-    constexpr std::size_t kMostLines = 12;  // the check and the last column of M are the last two
     if (!tab.starts_with(kBefore)) return std::nullopt;
     const std::string digits(tab.substr(kBefore.size()));
     if (digits.empty() || digits.size() > 2 || digits.find_first_not_of("0123456789") != std::string::npos)
         return std::nullopt;
     const std::size_t line = std::stoul(digits);
-    return line >= 1 && line <= kMostLines ? std::optional(line - 1) : std::nullopt;
+    return line >= 1 && line <= kDerivationPassages ? std::optional(line - 1) : std::nullopt;
 }
 
 }  // namespace normalscope

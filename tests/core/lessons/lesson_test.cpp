@@ -59,7 +59,7 @@ TEST(Lesson, RefusesWhatNobodyCanShow) {
     std::string many;
     for (int i = 0; i < 10000; ++i) many += (i ? "," : "") + std::string("{\"caption\": \"a\"}");
     EXPECT_NE(error_of(lesson(many)).find("has 10000 steps; at most 200"), std::string::npos);
-    EXPECT_NE(error_of(lesson("{\"caption\": \"" + std::string(5000, 'x') + "\"}")).find("5000 bytes"),
+    EXPECT_NE(error_of(lesson("{\"caption\": \"" + std::string(5000, 'x') + "\"}")).find("5000 characters"),
               std::string::npos);
     EXPECT_NE(error_of(lesson("{\"caption\": \"a\", \"scene\": " + std::string(100000, '['))).find("levels deep"),
               std::string::npos);
@@ -67,6 +67,27 @@ TEST(Lesson, RefusesWhatNobodyCanShow) {
                               "\"because\": \"x\"}, {\"text\": \"2\", \"because\": \"y\"}]}}"))
                   .find("exactly one"),
               std::string::npos);
+}
+
+TEST(Lesson, AStepMayShowALineOfTheDerivationAndHaveNotes) {
+    const Lesson mine = parse_lesson(
+        {lesson(R"({"caption": "a", "derivation": 3, "notes": "Ask first."}, {"caption": "b"})"), "my.json", {}});
+    EXPECT_EQ(mine.steps[0].line, 2u);
+    EXPECT_EQ(mine.steps[0].notes, "Ask first.");
+    EXPECT_EQ(mine.steps[1].line, std::nullopt);
+    for (const char* line : {"0", "11", "1.5", "\"3\"", "null"})
+        EXPECT_NE(error_of(lesson("{\"caption\": \"a\", \"derivation\": " + std::string(line) + "}"))
+                      .find("step 1: derivation"),
+                  std::string::npos)
+            << line;
+}
+
+// People write in any script.
+TEST(Lesson, LimitsCountCharacters) {
+    std::string chinese;
+    for (int i = 0; i < 400; ++i) chinese += "法";
+    EXPECT_EQ(error_of(lesson("{\"caption\": \"" + chinese + "\"}")), "no error");
+    EXPECT_NE(error_of(lesson("{\"caption\": \"" + chinese + "线\"}")).find("401 characters"), std::string::npos);
 }
 
 // A step on, a step back, and play in between: the scene is the step's again.
