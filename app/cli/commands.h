@@ -72,11 +72,14 @@ struct LessonsCommand {};
 
 /// `normalscope handout LESSON -o OUT.html`
 struct HandoutCommand {
-    std::string lesson;
+    enum class Answers { End, Inline, None };
+    std::string lesson;  ///< "all": every built-in one
     Output output;
     glm::ivec2 size{960, 600};
     ContextChoice context = ContextChoice::Auto;
     bool live = false;  ///< each picture wakes to the program where it is touched
+    Answers answers = Answers::End;
+    bool notes = false;  ///< what only the lecturer reads
 };
 
 /// `normalscope animate LESSON -o OUT`

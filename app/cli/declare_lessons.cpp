@@ -18,27 +18,31 @@ Declared declare_lessons(CLI::App& root) {
 Declared declare_handout(CLI::App& root) {
     struct Given {
         HandoutCommand command;
-        std::string output, size{text_of(command.size)}, context{"auto"};
+        std::string output, size{text_of(command.size)}, context{"auto"}, answers{"end"};
     };
     const auto given = std::make_shared<Given>();
     CLI::App& app = *root.add_subcommand("handout", "Write a lesson as one page to print or send");
     set_up(app,
            "  normalscope handout 4-derivation -o derivation.html\n"
-           "  normalscope handout mine.json -o mine.html --size 1280x800\n"
+           "  normalscope handout all -o course.html --answers none\n"
+           "  normalscope handout mine.json -o script.html --notes --answers inline\n"
            "  normalscope handout 1-normal-as-a-point -o lesson.html --live");
     add(app, "LESSON", given->command.lesson, "",
-        "A lesson: its file (.json) or a built-in one's name (see normalscope lessons)")
+        "A lesson: its file (.json) or a built-in one's name (see normalscope lessons); or all: every built-in one")
         .required();
     add(app, "-o,--output", given->output, "OUT.html", "The page to write, pictures included; - is standard output")
         .required();
     add(app, "--size", given->size, "WIDTHxHEIGHT", "Of each picture, in pixels");
     app.add_flag("--live", given->command.live,
                  "Each picture is the program when it is touched, in any browser and without a network");
+    add(app, "--answers", given->answers, "end|inline|none", "Where those to its questions stand");
+    app.add_flag("--notes", given->command.notes, "With the steps' notes: the lecturer's script");
     add_context(app, given->context);
     return {&app, [given] {
                 HandoutCommand command = given->command;
                 command.output = parse_output("--output", given->output);
                 command.size = parse_size("--size", given->size);
+                command.answers = parse_answers("--answers", given->answers);
                 command.context = parse_context("--context", given->context);
                 return command;
             }};

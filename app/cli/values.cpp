@@ -70,6 +70,13 @@ ContextChoice parse_context(const std::string& option, const std::string& text) 
     fail(option, text, "expected auto, osmesa or egl");
 }
 
+HandoutCommand::Answers parse_answers(const std::string& option, const std::string& text) {
+    using enum HandoutCommand::Answers;
+    for (const auto& [name, where] : {std::pair{"end", End}, {"inline", Inline}, {"none", None}})
+        if (text == name) return where;
+    fail(option, text, "expected end, inline or none");
+}
+
 ExplainFormat parse_format(const std::string& option, const std::string& text) {
     for (const ExplainFormat format : kExplainFormats)
         if (text == name(format)) return format;

@@ -13,6 +13,7 @@ int parse_samples(const std::string& option, const std::string& text);
 float parse_scale(const std::string& option, const std::string& text);
 Ground parse_ground(const std::string& option, const std::string& text);
 ContextChoice parse_context(const std::string& option, const std::string& text);
+HandoutCommand::Answers parse_answers(const std::string& option, const std::string& text);
 ExplainFormat parse_format(const std::string& option, const std::string& text);
 int parse_tolerance(const std::string& option, const std::string& text);
 double parse_share(const std::string& option, const std::string& text);

@@ -130,6 +130,25 @@ class LessonsTest(CommandTest):
         for step in steps:
             self.assertIn(step["caption"], page)
 
+    def test_handouts_with_answers_and_notes_where_they_are_wanted(self):
+        lesson = self.file("mine.json", json.dumps({"lesson": "Mine", "steps": [
+            {"caption": "a", "notes": "Ask <first>.", "question": {"ask": "Which?", "choices": [
+                {"text": "one", "right": True, "because": "So it is."}, {"text": "two", "because": "No."}]}},
+            {"caption": "b"}]}))
+        def page(*arguments):
+            return self.assert_done("handout", lesson, "-o", "-", *SMALL, *arguments).decode()
+        self.assertLess(page().index("Answers"), page().index("So it is."))
+        self.assertNotIn("So it is.", page("--answers", "none"))
+        inline = page("--answers", "inline")
+        self.assertLess(inline.index("So it is."), inline.index("2. b"))
+        self.assertNotIn("Ask", page())
+        self.assertIn("Ask &lt;first&gt;.", page("--notes"))
+        self.assert_fails(2, "handout", lesson, "-o", "-", "--answers", "some", says=("expected end, inline or none",))
+
+    def test_a_handout_of_all_lessons(self):
+        page = self.assert_done("handout", "all", "-o", "-", "--size", "96x60").decode()
+        self.assertEqual(page.count("<article>"), len(LESSONS))
+
     def live(self, page, *arguments):
         """A live handout by an installed program, with this text as the program's page."""
         program, share = self.folder / "bin/normalscope", self.folder / "share/normalscope"
