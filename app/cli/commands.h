@@ -67,8 +67,11 @@ struct ExplainCommand {
 /// `normalscope scenes`
 struct ScenesCommand {};
 
-/// `normalscope lessons`
-struct LessonsCommand {};
+/// `normalscope lessons [--check FILE...]`
+struct LessonsCommand {
+    std::vector<std::string> files;  ///< to be checked; none: the built-in ones are listed
+    ContextChoice context = ContextChoice::Auto;
+};
 
 /// `normalscope handout LESSON -o OUT.html`
 struct HandoutCommand {

@@ -13,6 +13,8 @@ int run(const SweepCommand& command);
 int run(const ExplainCommand& command);
 int run(const ScenesCommand& command);
 int run(const LessonsCommand& command);
+/// Its files, each with what is wrong in it: 1 where there is anything.
+int check_lessons(const LessonsCommand& command);
 /// A lesson as an HTML page that needs nothing beside it: a picture, its caption and its equations a step, and the
 /// answers to the questions at the end.
 int run(const HandoutCommand& command);

@@ -33,7 +33,9 @@ int print_list(const List& list) {
 }  // namespace
 
 int run(const ScenesCommand&) { return print_list(built_in_scenes()); }
-int run(const LessonsCommand&) { return print_list(built_in_lessons()); }
+int run(const LessonsCommand& command) {
+    return command.files.empty() ? print_list(built_in_lessons()) : check_lessons(command);
+}
 int run(const ExplainCommand& command) {
     return printed(explain(subject_of(command.file, command.settings).scene, command.format));
 }

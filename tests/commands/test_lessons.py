@@ -12,7 +12,7 @@ import subprocess
 import time
 import unittest
 
-from support import NORMALSCOPE, SMALL, CommandTest, png_pixels
+from support import NORMALSCOPE, SMALL, CommandTest, png_pixels, run
 
 LESSONS = sorted((pathlib.Path(__file__).resolve().parents[2] / "assets" / "lessons").glob("*.json"))
 
@@ -52,6 +52,20 @@ class LessonsTest(CommandTest):
     def test_the_list(self):
         text = self.assert_done("lessons").decode()
         self.assertEqual([line.split()[0] for line in text.splitlines()], [lesson.stem for lesson in LESSONS])
+
+    def test_lessons_are_checked(self):
+        self.assertIn(b"10 steps, all is well", self.assert_done("lessons", "--check", LESSONS[0].stem))
+        steps = [{"caption": "a", "scene": {"stack": [{"scale": [1, 2, 1]}]}, "numbers": {"error_degrees.bound": 40, "condition": 2}},
+                 {"caption": "word " * 79, "look_at": "word " * 47, "equations": ["x = 1", "y = 2", "z = 3"]}]
+        file = self.file("mine.json", json.dumps({"lesson": "Mine", "steps": steps}))
+        result = run("lessons", "--check", file)
+        self.assertEqual(result.returncode, 1)
+        lines = result.stdout.decode().splitlines()
+        self.assertIn("mine.json, step 1: error_degrees.bound is 36.86", lines[0])
+        self.assertNotIn("condition", lines[0])
+        for line in lines[1:]:
+            self.assertRegex(line, r"mine.json, step 2: its words leave the picture less than half of a \d+x\d+ screen")
+        self.assertGreater(len(lines), 1)
 
     def test_errors(self):
         lesson = {"lesson": "Mine", "steps": [{"caption": "a"}, {"caption": "b", "scene": {"colour": "red"}}]}
