@@ -25,7 +25,7 @@ install(FILES cmake/NormalscopeConfig.cmake "${PROJECT_BINARY_DIR}/NormalscopeCo
   DESTINATION lib/cmake/Normalscope)
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE DESTINATION share/doc/normalscope)
 install(DIRECTORY docs DESTINATION share/doc/normalscope)
-install(FILES "${PROJECT_BINARY_DIR}/web/normalscope.html" DESTINATION share/normalscope OPTIONAL)  # where ./dev web made it
+install(FILES "${PROJECT_SOURCE_DIR}/build/web/normalscope.html" DESTINATION share/normalscope OPTIONAL)  # where ./dev web made it
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR Normalscope)

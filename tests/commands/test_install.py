@@ -32,6 +32,12 @@ class InstallTest(CommandTest):
         subprocess.run([self.prefix / "bin/normalscope", "capture", "-o", out, *SMALL], env=environment, check=True)
         self.assertEqual(out.read_bytes(), self.capture())
 
+    @unittest.skipUnless((BUILD / "web/normalscope.html").exists(), "./dev web has not been run")
+    def test_live_handouts_find_the_page(self):
+        out = self.folder / "live.html"
+        subprocess.run([self.prefix / "bin/normalscope", "handout", "2-gradients", "-o", out, "--live", *SMALL], check=True)
+        self.assertGreater(out.stat().st_size, (BUILD / "web/normalscope.html").stat().st_size)
+
     def test_the_pages_find_one_another(self):
         doc = self.prefix / "share/doc/normalscope"
         self.assertIn("scenes.md", [page.name for page in pages(doc)])
