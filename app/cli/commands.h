@@ -85,6 +85,15 @@ struct HandoutCommand {
     bool notes = false;  ///< what only the lecturer reads
 };
 
+/// `normalscope slides LESSON -o FOLDER`
+struct SlidesCommand {
+    std::string lesson;
+    std::filesystem::path folder;
+    glm::ivec2 size{1920, 1080};
+    ContextChoice context = ContextChoice::Auto;
+    bool live = false;  ///< each picture wakes to the program where it is touched
+};
+
 /// `normalscope animate LESSON -o OUT`
 struct AnimateCommand {
     std::string lesson, output;  ///< a video's name, or a picture's with a place for a number
@@ -121,6 +130,6 @@ struct Printed {
 };
 
 using Command = std::variant<ViewCommand, CaptureCommand, SweepCommand, ExplainCommand, ScenesCommand, LessonsCommand,
-                             HandoutCommand, AnimateCommand, CompareCommand, CheckCommand, Printed>;
+                             HandoutCommand, SlidesCommand, AnimateCommand, CompareCommand, CheckCommand, Printed>;
 
 }  // namespace normalscope

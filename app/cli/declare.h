@@ -83,6 +83,7 @@ Declared declare_check(CLI::App& root);
 // Those about lessons.
 Declared declare_lessons(CLI::App& root);
 Declared declare_handout(CLI::App& root);
+Declared declare_slides(CLI::App& root);
 Declared declare_animate(CLI::App& root);
 
 }  // namespace normalscope

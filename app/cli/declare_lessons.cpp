@@ -63,6 +63,34 @@ Declared declare_handout(CLI::App& root) {
             }};
 }
 
+Declared declare_slides(CLI::App& root) {
+    struct Given {
+        SlidesCommand command;
+        std::string folder, size{text_of(command.size)}, context{"auto"};
+    };
+    const auto given = std::make_shared<Given>();
+    CLI::App& app =
+        *root.add_subcommand("slides", "Write a lesson as slides: a picture a step, and a page that shows them");
+    set_up(app,
+           "  normalscope slides 4-derivation -o derivation-slides\n"
+           "  normalscope slides mine.json -o mine-slides --size 1280x720 --live");
+    add(app, "LESSON", given->command.lesson, "",
+        "A lesson: its file (.json) or a built-in one's name (see normalscope lessons)")
+        .required();
+    add(app, "-o,--output", given->folder, "FOLDER", "A new folder, or an empty one: 01.png and so on, and index.html")
+        .required();
+    add(app, "--size", given->size, "WIDTHxHEIGHT", "Of each picture, in pixels");
+    app.add_flag("--live", given->command.live, "In index.html each picture is the program when it is touched");
+    add_context(app, given->context);
+    return {&app, [given] {
+                SlidesCommand command = given->command;
+                command.folder = given->folder;
+                command.size = parse_size("--size", given->size);
+                command.context = parse_context("--context", given->context);
+                return command;
+            }};
+}
+
 Declared declare_animate(CLI::App& root) {
     struct Given {
         AnimateCommand command;

@@ -18,6 +18,8 @@ int check_lessons(const LessonsCommand& command);
 /// A lesson as an HTML page that needs nothing beside it: a picture, its caption and its equations a step, and the
 /// answers to the questions at the end.
 int run(const HandoutCommand& command);
+/// A lesson as a folder of pictures, and a page that shows each with its words.
+int run(const SlidesCommand& command);
 /// A lesson from its first step to its last, with its captions, as a video or numbered pictures.
 int run(const AnimateCommand& command);
 /// Compares two pictures and prints one line that says how far they are apart.

@@ -2,12 +2,11 @@
 
 #include "commands/files_of_run.h"
 #include "commands/live_handout.h"
+#include "commands/step_html.h"
 #include "commands/studio.h"
-#include "core/base/base64.h"
 #include "core/base/file.h"
 #include "core/base/html.h"
 #include "core/frame/display_scale.h"
-#include "core/image/png.h"
 #include "core/lessons/open.h"
 #include "platform/crash_line.h"
 #include "ui/lecture/step_line.h"
@@ -56,17 +55,6 @@ constexpr std::string_view kStyle = R"(
 // A printed picture is half a page wide, and what is written in it is to be read.
 constexpr float kLargeWords = 1.8f;
 
-std::string picture(const LessonStep& step, const Image& image, const std::string& attributes) {
-    return "  <img" + attributes + " alt=\"" + html_text(step.caption) + "\" src=\"data:image/png;base64," +
-           base64(png_bytes(image)) + "\">\n";
-}
-
-std::string choices(const Question& question) {
-    std::string html = "  <p class=\"caption\">" + html_math(question.text) + "</p>\n  <ol class=\"choices\">\n";
-    for (const Choice& choice : question.choices) html += "    <li>" + html_math(choice.text) + "</li>\n";
-    return html + "  </ol>\n";
-}
-
 std::string answer(const Question& question) {
     std::string html = "  <ol class=\"choices\">\n";
     for (const Choice& choice : question.choices)
@@ -87,9 +75,8 @@ std::string answers(const Lesson& lesson) {
 // The lesson's own words, and the picture, which is made by the caller.
 std::string words(const LessonStep& step, std::size_t number, const HandoutCommand& command) {
     std::string html = "  <p class=\"caption\">" + std::to_string(number) + ". " + html_math(step.caption) + "</p>\n";
-    for (const std::string& line : step.equations) html += "  <p class=\"equation\">" + html_math(line) + "</p>\n";
-    if (!step.look_at.empty()) html += "  <p class=\"look\">" + html_math(step.look_at) + "</p>\n";
-    if (step.question) html += choices(*step.question);
+    html += equations_html(step);
+    if (step.question) html += question_html(*step.question);
     if (step.question && command.answers == HandoutCommand::Answers::Inline) html += answer(*step.question);
     if (command.notes && !step.notes.empty()) html += "  <p class=\"notes\">" + html_math(step.notes) + "</p>\n";
     return html;
@@ -132,7 +119,7 @@ std::string handout(const HandoutCommand& command) {
                                                           .scale = kLargeWords * usual_scale(command.size),
                                                           .line = line_of(step)})
                                     .image;
-            html += "<section>\n" + picture(step, image, live ? live->attributes(step.scene) : "") +
+            html += "<section>\n" + picture_html(step, data_of(image), live ? live->attributes(step.scene) : "") +
                     words(step, i + 1, command) + "</section>\n";
         }
         html += "</div>\n";

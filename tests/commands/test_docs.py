@@ -22,7 +22,7 @@ except ImportError:
     yaml = None
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-COMMANDS = ("capture", "sweep", "explain", "scenes", "lessons", "handout", "animate", "compare", "check")
+COMMANDS = ("capture", "sweep", "explain", "scenes", "lessons", "handout", "slides", "animate", "compare", "check")
 
 BLOCK = re.compile(
     r"(?:^ *<!-- not run: (?P<reason>[^\n]+) -->\n)?"

@@ -163,6 +163,21 @@ class LessonsTest(CommandTest):
         page = self.assert_done("handout", "all", "-o", "-", "--size", "96x60").decode()
         self.assertEqual(page.count("<article>"), len(LESSONS))
 
+    def test_slides(self):
+        folder = self.folder / "slides"
+        self.assert_done("slides", LESSONS[0].stem, "-o", folder, "--size", "160x90")
+        steps = json.loads(LESSONS[0].read_text())["steps"]
+        pictures = [f"{i:02}.png" for i in range(1, len(steps) + 1)]
+        self.assertEqual(sorted(p.name for p in folder.iterdir()), [*pictures, "index.html"])
+        page = (folder / "index.html").read_text()
+        for step, picture in zip(steps, pictures):
+            self.assertIn(step["caption"], page)
+            self.assertIn(f'src="{picture}"', page)
+        before = (folder / "01.png").read_bytes()
+        self.assert_fails(3, "slides", LESSONS[1].stem, "-o", folder, "--size", "160x90", says=("holds something already",))
+        self.assertEqual((folder / "01.png").read_bytes(), before)
+        self.assert_fails(3, "slides", LESSONS[1].stem, "-o", folder / "01.png", says=("is a file",))
+
     def live(self, page, *arguments):
         """A live handout by an installed program, with this text as the program's page."""
         program, share = self.folder / "bin/normalscope", self.folder / "share/normalscope"
