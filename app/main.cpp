@@ -1,12 +1,13 @@
 #include "cli/options.h"
 #include "commands/commands.h"
 #include "core/base/error.h"
+#include "core/base/system.h"
 #include "core/base/utf8.h"
 #include "core/lessons/open.h"
 #include "core/scene/setting.h"
 #include "desktop/desktop.h"
+#include "platform/console.h"
 
-#include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
@@ -20,13 +21,14 @@ int run(const ViewCommand& command) {
     if (command.file) first = read_file(*command.file, first.scene);
     for (const std::string& setting : command.settings) first.scene = with_setting(first.scene, setting);
     prepare(first);
+    leave_own_console();
     run_viewer(std::move(first));
     return 0;
 }
 
 // One line, whatever a file's name holds.
 int fail(int code, const std::string& reason) {
-    std::fprintf(stderr, "normalscope: %s\n", in_one_line(reason).c_str());
+    tell_error("normalscope: " + in_one_line(reason));
     return code;
 }
 
@@ -36,6 +38,7 @@ int fail(int code, const std::string& reason) {
 
 int main(int argc, char** argv) {
     using namespace normalscope;
+    begin_process(argc, argv);
     try {
         return std::visit([](const auto& command) { return run(command); }, parse_command_line(argc, argv));
     } catch (const UsageError& e) {

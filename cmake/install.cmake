@@ -1,5 +1,14 @@
 # What is installed, and the Debian package of it.
 
+if(WIN32)
+  # A folder to look into, with the program on top.
+  install(TARGETS normalscope RUNTIME DESTINATION .)
+  install(FILES README.md CHANGELOG.md LICENSE DESTINATION .)
+  install(DIRECTORY docs DESTINATION .)
+  install(FILES "${PROJECT_SOURCE_DIR}/build/web/normalscope.html" DESTINATION . OPTIONAL)  # where ./dev web made it
+  return()
+endif()
+
 add_executable(option_docs app/cli/option_docs.cpp)
 target_link_libraries(option_docs PRIVATE normalscope_cli)
 set(option_docs "${PROJECT_BINARY_DIR}/option_docs_out")

@@ -17,7 +17,7 @@ TABLE = ROOT / "docs" / "architecture.md"
 
 # What may not be included everywhere, by the word that the table has for it.
 LIBRARIES = {
-    "POSIX": r"(unistd|fcntl|poll|signal|spawn|dlfcn|pthread|csignal|termios)(\.h)?$|sys/",
+    "the system": r"(unistd|fcntl|poll|signal|spawn|dlfcn|pthread|csignal|termios|windows|shellapi|io|process)(\.h)?$|sys/",
     "threads": r"(thread|future|mutex|shared_mutex|condition_variable|stop_token|semaphore|latch|barrier)$",
     "JSON": r"nlohmann/",
     "CLI11": r"CLI/",
@@ -69,6 +69,18 @@ def table_faults(rooms):
         said = sorted(rooms[room][0]) if room in rooms else None
         if room != "main.cpp" and linked.get(room) != said:
             yield f"CMakeLists.txt: room({room}) links {linked.get(room)}, and {TABLE.name} has {said}"
+
+
+def pair_faults(files):
+    """What each system does in its own way stands in a file for each, and nowhere else."""
+    for file in files:
+        where = file.relative_to(ROOT)
+        if re.search(r"^\s*#.*\b(_WIN32|__APPLE__|__linux__)\b", file.read_text(encoding="utf-8"), re.M):
+            yield f"{where}: asks for the system; let CMake choose between a ..._posix.cpp and a ..._windows.cpp"
+        for this, other in (("_posix", "_windows"), ("_windows", "_posix")):
+            if file.stem.endswith(this) and file.suffix == ".cpp" and not (
+                    file.parent / (file.stem.removesuffix(this) + other + ".cpp")).exists():
+                yield f"{where}: there is no such file for the other system"
 
 
 def room_of(file):
@@ -138,7 +150,7 @@ def circles(files):
 def main():
     rooms = table()
     files = sorted(file for file in APP.rglob("*") if file.suffix in {".h", ".cpp"})
-    faults = [*table_faults(rooms), *include_faults(rooms, files), *test_faults(rooms)]
+    faults = [*table_faults(rooms), *include_faults(rooms, files), *test_faults(rooms), *pair_faults(files)]
     faults += [f"a circle of includes: {', '.join(map(str, part))}" for part in circles(files)]
     print("\n".join(faults) or f"{len(files)} files in {len(rooms)} rooms")
     return bool(faults)

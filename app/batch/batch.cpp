@@ -86,7 +86,8 @@ bool run_batch(const Batch& batch) {
     if (jobs == 1 && !batch.apart)
         draw_share(batch, 0, 1, done);
     else
-        run_jobs(jobs, [&](std::size_t job, const Done& tell) { draw_share(batch, job, jobs, tell); }, done);
+        run_jobs(
+            jobs, [&](std::size_t job, const Done& tell) { draw_share(batch, job, jobs, tell); }, done, batch.word);
     return finished == batch.count;
 }
 

@@ -16,6 +16,7 @@ struct Batch {
     std::size_t jobs = 1;
     /// Never draw in this process, which then outlives a driver that crashes.
     bool apart = false;
+    std::string word = {};  ///< that each process may ask for: see run_jobs
     /// Called once in each process; gives what draws picture i, for any of 0 … count − 1.
     std::function<std::function<Finish(std::size_t i)>()> start;
     /// Called in this process alone, one call at a time, in the order in which the pictures are finished.

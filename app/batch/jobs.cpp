@@ -1,18 +1,16 @@
 #include "batch/jobs.h"
 
 #include "batch/cancel.h"
+#include "batch/job_process.h"
 #include "core/base/beside.h"
 #include "core/base/error.h"
 #include "core/base/utf8.h"
 
-#include <poll.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -34,9 +32,11 @@ struct Header {
 };
 constexpr std::uint64_t kUsageError = ~0ull, kContextError = ~1ull, kInputError = ~2ull;
 
+constexpr std::size_t kAtOnce = std::size_t{1} << 16;
+
 void write_all(int pipe, std::string_view bytes) {
     while (!bytes.empty()) {
-        const ssize_t written = ::write(pipe, bytes.data(), bytes.size());
+        const auto written = ::write(pipe, bytes.data(), static_cast<unsigned>(std::min(bytes.size(), kAtOnce)));
         if (written < 0 && errno == EINTR) continue;
         if (written < 0) ::_exit(1);  // nobody listens any more
         bytes.remove_prefix(static_cast<std::size_t>(written));
@@ -55,8 +55,7 @@ void send(int pipe, std::uint64_t i, std::string_view text) {
     throw InputError(text);
 }
 
-[[noreturn]] void be_a_job(std::size_t job, int pipe,
-                           const std::function<void(std::size_t job, const Tell& tell)>& work) {
+[[noreturn]] void be_a_job(std::size_t job, int pipe, const Work& work) {
     try {
         work(job, [&](std::size_t i, const std::string& text) { send(pipe, i, text); });
     } catch (const UsageError& e) {
@@ -75,15 +74,13 @@ void send(int pipe, std::uint64_t i, std::string_view text) {
 
 /// A job as its parent sees it.
 struct Job {
-    pid_t process = -1;
-    int pipe = -1;
-    std::string received;
-    std::string died;  ///< how, where it did not end well
+    JobProcess process;
+    std::string received{};
 
     // False once there is no more to come.
     bool receive() {
-        std::array<char, 1 << 16> bytes;
-        const ssize_t got = ::read(pipe, bytes.data(), bytes.size());
+        std::array<char, kAtOnce> bytes;
+        const auto got = ::read(process.pipe, bytes.data(), static_cast<unsigned>(bytes.size()));
         if (got < 0 && errno == EINTR) return true;
         if (got <= 0) return false;
         received.append(bytes.data(), static_cast<std::size_t>(got));
@@ -99,24 +96,13 @@ struct Job {
         received.erase(0, sizeof header + header.length);
         return std::pair{header.i, std::move(text)};
     }
-    void end() {
-        ::close(pipe);
-        pipe = -1;
-        int status = 0;
-        while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
-        }
-        if (WIFSIGNALED(status))
-            died = std::string("was ended by a signal (") + ::strsignal(WTERMSIG(status)) + ")";
-        else if (WEXITSTATUS(status) != 0)
-            died = "ended";
-    }
 };
 
 /// All jobs of one run_jobs. Each draws until it has ended, whatever becomes of the others' errors.
 class Jobs {
 public:
-    Jobs(std::size_t count, const std::function<void(std::size_t job, const Tell& tell)>& work) {
-        for (std::size_t j = 0; j < count && start(j, work); ++j) {
+    Jobs(std::size_t count, const Work& work, const std::string& word) {
+        for (std::size_t j = 0; j < count && start(j, work, word); ++j) {
         }
         if (jobs_.size() == count) return;
         note(InputError("--jobs " + std::to_string(count) + ": no more than " + std::to_string(jobs_.size()) +
@@ -126,33 +112,26 @@ public:
 
     /// Until all have ended. Throws the first error that there was.
     void listen(const Tell& told) {
-        while (std::ranges::any_of(jobs_, [](const Job& job) { return job.pipe >= 0; })) {
-            std::vector<pollfd> pipes;
-            for (const Job& job : jobs_) pipes.push_back({job.pipe, POLLIN, 0});  // poll passes over those at -1
-            const int ready = ::poll(pipes.data(), pipes.size(), 200);
+        while (std::ranges::any_of(jobs_, [](const Job& job) { return job.process.pipe >= 0; })) {
+            const std::vector<bool> has_news = wait_for_any(processes());
             if (CancelOnSignal::asked()) stop();
-            for (std::size_t j = 0; ready > 0 && j < jobs_.size(); ++j)
-                if (pipes[j].revents != 0) listen_to(jobs_[j], told);
+            for (std::size_t j = 0; j < jobs_.size(); ++j)
+                if (has_news[j]) listen_to(jobs_[j], told);
         }
         if (failure_) std::rethrow_exception(failure_);
     }
 
 private:
-    bool start(std::size_t j, const std::function<void(std::size_t job, const Tell& tell)>& work) {
-        std::array<int, 2> ends{};
-        if (::pipe(ends.data()) != 0) return false;
-        const pid_t process = ::fork();
-        if (process == 0) {
-            for (const Job& other : jobs_) ::close(other.pipe);
-            ::close(ends[0]);
-            be_a_job(j, ends[1], work);
-        }
-        ::close(ends[1]);
-        if (process < 0)
-            ::close(ends[0]);
-        else
-            jobs_.push_back({.process = process, .pipe = ends[0], .received = {}, .died = {}});
-        return process > 0;
+    std::vector<JobProcess> processes() const {
+        std::vector<JobProcess> all;
+        for (const Job& job : jobs_) all.push_back(job.process);
+        return all;
+    }
+
+    bool start(std::size_t j, const Work& work, const std::string& word) {
+        const auto started = start_job(j, word, processes(), [&](int pipe) { be_a_job(j, pipe, work); });
+        if (started) jobs_.push_back({*started});
+        return started.has_value();
     }
 
     void listen_to(Job& job, const Tell& told) {
@@ -165,9 +144,9 @@ private:
                 stop();
             }
         if (more) return;
-        job.end();
-        if (job.died.empty() || stopping_ || CancelOnSignal::asked()) return;
-        note(InputError("a process that draws " + job.died + " before it was done; is there enough memory?"));
+        const std::string died = job.process.end();
+        if (died.empty() || stopping_ || CancelOnSignal::asked()) return;
+        note(InputError("a process that draws " + died + " before it was done; is there enough memory?"));
         stop();
     }
 
@@ -177,7 +156,7 @@ private:
     void stop() {
         if (!std::exchange(stopping_, true))
             for (const Job& job : jobs_)
-                if (job.pipe >= 0) ::kill(job.process, SIGTERM);
+                if (job.process.pipe >= 0) job.process.stop();
     }
 
     std::vector<Job> jobs_;
@@ -187,9 +166,12 @@ private:
 
 }  // namespace
 
-void run_jobs(std::size_t count, const std::function<void(std::size_t job, const Tell& tell)>& work, const Tell& told) {
+void run_jobs(std::size_t count, const Work& work, const Tell& told, const std::string& word) {
+    if (const auto& seat = own_seat()) be_a_job(seat->job, seat->pipe, work);
     std::fflush(nullptr);  // or each job would write what waits in the buffers once more
-    Jobs(count, work).listen(told);
+    Jobs(count, work, word).listen(told);
 }
+
+std::optional<std::string> word_for_jobs() { return own_seat() ? std::optional(own_seat()->word) : std::nullopt; }
 
 }  // namespace normalscope

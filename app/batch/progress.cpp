@@ -1,6 +1,6 @@
 #include "batch/progress.h"
 
-#include <unistd.h>
+#include "core/base/system.h"
 
 #include <cmath>
 #include <cstdio>
@@ -9,7 +9,7 @@
 namespace normalscope {
 
 Progress::Progress(std::size_t total, std::string what)
-    : total_(total), what_(std::move(what)), terminal_(::isatty(STDERR_FILENO) != 0) {}
+    : total_(total), what_(std::move(what)), terminal_(is_terminal(stderr)) {}
 
 Progress::~Progress() { hide(); }
 

@@ -1,24 +1,19 @@
 #include "batch/video.h"
 
 #include "batch/cancel.h"
+#include "batch/other_program.h"
 #include "batch/progress.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/system.h"
 #include "core/image/png.h"
 
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <optional>
-#include <sstream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace normalscope {
@@ -26,16 +21,6 @@ namespace normalscope {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::optional<fs::path> find_ffmpeg() {
-    const char* path = std::getenv("PATH");
-    std::istringstream folders(path ? path : "/usr/local/bin:/usr/bin:/bin");
-    for (std::string folder; std::getline(folders, folder, ':');) {
-        fs::path program = fs::path(folder) / "ffmpeg";
-        if (::access(program.c_str(), X_OK) == 0) return program;
-    }
-    return std::nullopt;
-}
 
 bool is_full(const fs::path& folder) {
     std::error_code unknown;
@@ -55,25 +40,6 @@ std::vector<std::string> format_options(const fs::path& video) {
     else
         options.insert(options.end(), {"-movflags", "+faststart", "-f", "mp4"});
     return options;
-}
-
-pid_t start(const std::vector<std::string>& command, const fs::path& log) {
-    std::vector<char*> arguments;
-    for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    const pid_t process = ::fork();
-    if (process == 0) {
-        ::setpgid(0, 0);  // Ctrl+C goes to this program alone, which then ends the other one
-        const int nothing = ::open("/dev/null", O_RDONLY),
-                  out = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-        if (nothing < 0 || out < 0) ::_exit(127);
-        ::dup2(nothing, STDIN_FILENO);
-        ::dup2(out, STDOUT_FILENO);
-        ::dup2(out, STDERR_FILENO);
-        ::execv(arguments[0], arguments.data());
-        ::_exit(127);
-    }
-    return process;
 }
 
 /// How many pictures ffmpeg says it has taken, in a file to which it adds its lines: "frame=12".
@@ -98,22 +64,12 @@ std::optional<int> run(std::vector<std::string> command, const fs::path& log, Pr
     write_file(report, "");  // so that it can be opened before there is anything in it
     command.insert(command.begin() + 1, {"-nostats", "-progress", report.string()});
     Taken taken(report);
-    const pid_t process = start(command, log);
-    if (process < 0) return -1;
-    int status = 0;
-    for (;;) {
-        const pid_t ended = ::waitpid(process, &status, WNOHANG);
-        if (ended == process) break;
-        if (ended < 0 && errno != EINTR) return -1;
-        if (CancelOnSignal::asked()) {
-            ::kill(process, SIGKILL);
-            ::waitpid(process, &status, 0);
-            return std::nullopt;
-        }
+    OtherProgram ffmpeg(command, log);
+    while (!CancelOnSignal::asked()) {
+        if (const auto status = ffmpeg.ended_within(20)) return status;
         progress.reach(taken.now());
-        ::poll(nullptr, 0, 20);
     }
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return std::nullopt;
 }
 
 }  // namespace
@@ -124,10 +80,9 @@ bool is_video(const fs::path& file) {
 }
 
 void require_ffmpeg(const fs::path& video) {
-    if (!find_ffmpeg())
-        throw InputError(video.string() +
-                         ": needs ffmpeg, which is not installed; install the package ffmpeg, or write "
-                         "single pictures: -o frame-%03d.png");
+    if (!find_program("ffmpeg"))
+        throw InputError(video.string() + ": needs ffmpeg, which is not installed; " + remedy(Missing::Ffmpeg) +
+                         ", or write single pictures: -o frame-%03d.png");
 }
 
 void write_frame(const fs::path& file, const Image& image, const fs::path& video) {
@@ -140,7 +95,7 @@ void write_frame(const fs::path& file, const Image& image, const fs::path& video
 
 bool write_video(const fs::path& folder, std::size_t pictures, int frames_per_second, const fs::path& video) {
     const fs::path log = folder / "ffmpeg.log", partial = folder / ("video" + video.extension().string());
-    std::vector<std::string> start{find_ffmpeg().value_or("ffmpeg").string(),
+    std::vector<std::string> start{find_program("ffmpeg").value_or("ffmpeg").string(),
                                    "-y",
                                    "-xerror",  // or a disk that fills at the very end leaves half a video, and no error
                                    "-loglevel",
@@ -172,13 +127,15 @@ bool write_video(const fs::path& folder, std::size_t pictures, int frames_per_se
         if (!status) return false;
         if (*status == 0) continue;
         std::string said = read_file(log, std::size_t{1} << 20);
-        while (said.ends_with('\n')) said.pop_back();
+        while (said.ends_with('\n') || said.ends_with('\r')) said.pop_back();
         if (is_full(folder)) said = "\nNo space left on device";  // ffmpeg's own words have found no room either
         throw InputError(video.string() + ": ffmpeg could not make it: " + said.substr(said.rfind('\n') + 1));
     }
-    std::error_code error;
-    fs::rename(partial, video, error);
-    if (error) throw InputError(video.string() + ": cannot be written: " + error.message());
+    try {
+        replace_file(partial, video);
+    } catch (const std::system_error& e) {
+        throw InputError(video.string() + ": cannot be written: " + e.code().message());
+    }
     return true;
 }
 

@@ -13,9 +13,8 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/output.h"
+#include "core/base/system.h"
 #include "core/base/utf8.h"
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -149,7 +148,7 @@ std::string summary(const Run& run) {
 }
 
 bool accepted_by_user(std::size_t count) {
-    if (!::isatty(STDIN_FILENO) || !::isatty(STDERR_FILENO)) return true;
+    if (!is_terminal(stdin) || !is_terminal(stderr)) return true;
     std::fprintf(stderr, "Accept %zu new reference%s? [y/N] ", count, count == 1 ? "" : "s");
     const int answer = std::getchar();
     return answer == 'y' || answer == 'Y';

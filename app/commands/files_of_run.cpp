@@ -2,19 +2,10 @@
 
 #include "core/base/error.h"
 #include "core/base/links.h"
+#include "core/base/system.h"
 #include "core/lessons/lesson.h"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <locale.h>  // newlocale
-#include <algorithm>
-#include <array>
 #include <cctype>
-#include <climits>
-#include <clocale>
-#include <cwchar>
-#include <cwctype>
 
 namespace normalscope {
 
@@ -28,29 +19,6 @@ std::string with_other_case(std::string text) {
         c = static_cast<char>(std::islower(u) ? std::toupper(u) : std::tolower(u));
     }
     return text;
-}
-
-// Of any alphabet, as a folder that takes any case does; without the C library's UTF-8 of a to z only.
-std::string in_small_letters(const std::string& text) {
-    static const locale_t utf8 = ::newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
-    const locale_t before = utf8 ? ::uselocale(utf8) : nullptr;
-    std::string small;
-    for (std::size_t at = 0; at < text.size();) {
-        wchar_t letter = 0;
-        std::array<char, MB_LEN_MAX> bytes{};
-        std::mbstate_t in{}, out{};
-        const std::size_t length = std::mbrtowc(&letter, text.data() + at, text.size() - at, &in);
-        const bool valid = length > 0 && length <= text.size() - at;
-        const auto lower = static_cast<wchar_t>(std::towlower(static_cast<wint_t>(letter)));
-        const std::size_t written = valid ? std::wcrtomb(bytes.data(), lower, &out) : bytes.size() + 1;
-        if (written <= bytes.size())
-            small.append(bytes.data(), written);
-        else
-            small += text[at];
-        at += valid ? length : 1;
-    }
-    if (utf8) ::uselocale(before);
-    return small;
 }
 
 bool is_found_by_other_case(const fs::path& file) {
@@ -73,34 +41,28 @@ bool takes_any_case(const fs::path& folder) {
                                                            : takes_any_case(folder.parent_path());
 }
 
-std::string identity(const struct stat& status) {
-    return std::to_string(status.st_dev) + ":" + std::to_string(status.st_ino);
-}
-
 // Empty for what is no plain file, and may well be written twice: /dev/null.
 std::string identity(const fs::path& file) {
-    struct stat status{};
-    if (::stat(file.c_str(), &status) == 0) return S_ISREG(status.st_mode) ? identity(status) : "";
     std::error_code error;
+    if (auto found = file_identity(file)) return fs::is_regular_file(file, error) ? *found : "";
     const fs::path end = fs::absolute(without_links(file), error);
     const fs::path parent = fs::weakly_canonical(end.parent_path(), error);
     // The folders that are there are known by what they are, the others by their names.
     fs::path folder = error ? end.parent_path() : parent;
     std::string name = end.filename().string();
-    while (::stat(folder.c_str(), &status) != 0 && folder.has_relative_path()) {
+    std::optional<std::string> there;
+    while (!(there = file_identity(folder)) && folder.has_relative_path()) {
         if (folder.has_filename()) name = folder.filename().string() + "/" + name;  // else it ends in a slash
         folder = folder.parent_path();
     }
-    return identity(status) + "/" + (takes_any_case(folder) ? in_small_letters(name) : name);
+    return there.value_or("") + "/" + (takes_any_case(folder) ? in_lower_case(name) : name);
 }
 
 }  // namespace
 
 FilesOfRun::FilesOfRun(std::string manifest) : manifest_(std::move(manifest)) {
     if (!manifest_.empty()) reads(manifest_, "the manifest " + manifest_);
-    struct stat status{};
-    if (::fstat(STDOUT_FILENO, &status) == 0 && S_ISREG(status.st_mode))
-        add(identity(status), {"standard output", true, false});
+    add(standard_output_identity(), {"standard output", true, false});
 }
 
 void FilesOfRun::add(const std::string& identity, const Entry& entry) {

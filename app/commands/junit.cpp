@@ -1,13 +1,13 @@
 #include "commands/junit.h"
 
 #include "core/base/decimal.h"
+#include "core/base/system.h"
 #include "core/base/utf8.h"
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <ctime>
+#include <chrono>
+#include <cstdio>
 #include <filesystem>
 
 namespace normalscope {
@@ -41,17 +41,21 @@ std::string seconds_text(double seconds) { return with_decimals(seconds, 3); }
 
 // In UTC, as the schema that services know wants it: without a zone.
 std::string now() {
-    const std::time_t time = std::time(nullptr);
-    std::tm utc{};
-    ::gmtime_r(&time, &utc);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%S", &utc);
-    return text;
+    const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+    const auto day = std::chrono::floor<std::chrono::days>(now);
+    const std::chrono::year_month_day date(day);
+    const std::chrono::hh_mm_ss time(now - day);
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%04d-%02u-%02uT%02d:%02d:%02d", static_cast<int>(date.year()),
+                  static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                  static_cast<int>(time.hours().count()), static_cast<int>(time.minutes().count()),
+                  static_cast<int>(time.seconds().count()));
+    return text.data();
 }
 
-std::string host_name() {
-    std::array<char, 256> name{};
-    return ::gethostname(name.data(), name.size() - 1) == 0 && name[0] ? name.data() : "localhost";
+std::string host() {
+    std::string name = host_name();
+    return name.empty() ? "localhost" : name;
 }
 
 std::string counts(const std::vector<CheckResult>& results) {
@@ -92,8 +96,8 @@ std::string outcome(const CheckResult& r) {
 std::string junit_xml(const std::string& suite, const std::vector<CheckResult>& results) {
     const std::string all = counts(results);
     std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + all + ">\n  <testsuite" +
-                      attribute("name", suite) + all + attribute("timestamp", now()) +
-                      attribute("hostname", host_name()) + ">\n";
+                      attribute("name", suite) + all + attribute("timestamp", now()) + attribute("hostname", host()) +
+                      ">\n";
     for (const CheckResult& r : results) {
         xml += "    <testcase" + attribute("classname", suite) + attribute("name", r.name) +
                attribute("time", seconds_text(r.seconds));

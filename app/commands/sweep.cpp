@@ -2,6 +2,7 @@
 
 #include "batch/batch.h"
 #include "batch/cancel.h"
+#include "batch/jobs.h"
 #include "batch/numbered.h"
 #include "batch/progress.h"
 #include "batch/video.h"
@@ -85,6 +86,7 @@ struct Sweep {
     std::vector<Scene> scenes{};
     CaptureOptions options{};
     std::string pattern = command.output;  ///< of the pictures' names; a video's lie in a folder for the time being
+    fs::path frames{};                     ///< that folder
     std::vector<Capture> captures{};       ///< without their images
 
     fs::path file(std::size_t i) const { return numbered(pattern, i, plan.columns()); }
@@ -122,6 +124,7 @@ bool draw_all(Sweep& sweep) {
     const bool whole = run_batch(
         {.count = count,
          .jobs = jobs,
+         .word = sweep.frames.string(),
          .start =
              [&] {
                  auto studio = std::make_shared<Studio>(StudioOptions{command.context, count / jobs, jobs});
@@ -184,7 +187,11 @@ int run(const SweepCommand& command) {
     refuse_to_overwrite(sweep, base.scene);
 
     std::optional<TemporaryFolder> frames;
-    if (sweep.video) sweep.pattern = (frames.emplace(command.output).path() / "%06d.png").string();
+    if (sweep.video) {
+        sweep.frames = word_for_jobs().value_or("");  // made by the process that started this one
+        if (sweep.frames.empty()) sweep.frames = frames.emplace(command.output).path();
+        sweep.pattern = (sweep.frames / "%06d.png").string();
+    }
     if (const fs::path folder = sweep.file(0).parent_path(); !folder.empty()) {
         std::error_code ignored;  // writing will say what is wrong
         fs::create_directories(folder, ignored);
@@ -196,7 +203,7 @@ int run(const SweepCommand& command) {
     const int noted = print_notes(sweep) > 0 && command.fail_on_note ? 1 : 0;
     if (command.sheet) write_sheet(sweep);
     if (command.numbers) write_numbers(sweep);
-    if (sweep.video && !write_video(frames->path(), count, command.frames_per_second, command.output)) {
+    if (sweep.video && !write_video(sweep.frames, count, command.frames_per_second, command.output)) {
         std::fprintf(stderr, "normalscope: cancelled; no video was written\n");
         return CancelOnSignal::exit_code();
     }

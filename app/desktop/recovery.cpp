@@ -2,12 +2,9 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
-
-#include <signal.h>  // kill
-#include <unistd.h>
+#include "core/base/system.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <iterator>
 #include <system_error>
@@ -23,16 +20,14 @@ constexpr std::string_view kName = "unsaved-", kEnding = ".json";
 constexpr std::size_t kMostBytes = std::size_t{1} << 24;
 
 // Whose file it is, if one of these.
-std::optional<pid_t> owner(const fs::path& file) {
+std::optional<int> owner(const fs::path& file) {
     const std::string name = file.filename().string();
     if (!name.starts_with(kName) || !name.ends_with(kEnding)) return std::nullopt;
-    pid_t id = 0;
+    int id = 0;
     const char *from = name.data() + kName.size(), *to = name.data() + name.size() - kEnding.size();
     const auto [end, error] = std::from_chars(from, to, id);
     return error == std::errc{} && end == to && id > 0 ? std::optional(id) : std::nullopt;
 }
-
-bool runs(pid_t process) { return ::kill(process, 0) == 0 || errno == EPERM; }
 
 // When it was written; long ago where nobody knows.
 fs::file_time_type age(const fs::path& file) {
@@ -43,7 +38,7 @@ fs::file_time_type age(const fs::path& file) {
 }  // namespace
 
 Recovery::Recovery(std::optional<fs::path> folder) : folder_(std::move(folder)) {
-    if (folder_) own_ = *folder_ / (std::string(kName) + std::to_string(::getpid()) + std::string(kEnding));
+    if (folder_) own_ = *folder_ / (std::string(kName) + std::to_string(process_id()) + std::string(kEnding));
 }
 
 std::vector<UnsavedWork> Recovery::left_behind() {
@@ -53,7 +48,7 @@ std::vector<UnsavedWork> Recovery::left_behind() {
     for (const fs::directory_entry& entry : fs::directory_iterator(*folder_, error)) {
         const auto process = owner(entry.path());
         // In a container each process may have the number of the one before.
-        if (process && (entry.path() == own_ || !runs(*process))) found_.push_back(entry.path());
+        if (process && (entry.path() == own_ || !process_runs(*process))) found_.push_back(entry.path());
     }
     std::ranges::sort(found_, {}, age);
     for (const fs::path& file : found_) try {

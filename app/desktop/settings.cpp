@@ -2,11 +2,11 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/system.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
@@ -32,13 +32,8 @@ std::optional<glm::ivec2> pair(const Json& json, const char* key) {
 }  // namespace
 
 std::optional<std::filesystem::path> settings_folder() {
-    const auto from = [](const char* variable) {
-        const char* value = std::getenv(variable);
-        return std::filesystem::path(value ? value : "");
-    };
-    if (const auto config = from("XDG_CONFIG_HOME"); config.is_absolute()) return config / "normalscope";
-    if (const auto home = from("HOME"); home.is_absolute()) return home / ".config" / "normalscope";
-    return std::nullopt;
+    const std::filesystem::path folder = settings_folder_of("normalscope");
+    return folder.empty() ? std::nullopt : std::optional(folder);
 }
 
 Settings load_settings() {

@@ -14,7 +14,7 @@ public:
     virtual ~Context() = default;
     /// Makes the context current on the calling thread, and loads its functions.
     virtual void make_current() = 0;
-    /// "window", "osmesa" or "egl".
+    /// "window", "osmesa", "egl" or "hidden-window".
     virtual std::string_view name() const = 0;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <string_view>
 
 namespace normalscope {
 
@@ -14,8 +14,11 @@ public:
     CrashLine(const CrashLine&) = delete;
     CrashLine& operator=(const CrashLine&) = delete;
 
+    static constexpr std::string_view kLine =
+        "normalscope: crashed while drawing, most likely in the graphics driver; is there enough memory?\n";
+    static constexpr int kExitCode = 4;
+
 private:
-    std::array<char, 1 << 16> stack_;  ///< the other one may be what has overflowed
     bool listening_ = false;
 };
 

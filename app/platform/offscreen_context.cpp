@@ -1,12 +1,14 @@
 #include "platform/offscreen_context.h"
 
 #include "core/base/error.h"
-#include "platform/egl_context.h"
-#include "platform/osmesa_context.h"
+#include "core/base/system.h"
+#include "core/base/text.h"
+#include "platform/offscreen_ways.h"
 
 #include <cstdlib>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace normalscope {
 
@@ -17,10 +19,10 @@ namespace {
 class SetForNow {
 public:
     SetForNow(const char* name, const std::string& value) : name_(std::getenv(name) ? nullptr : name) {
-        if (name_) ::setenv(name_, value.c_str(), 0);
+        if (name_) set_variable(name_, value);
     }
     ~SetForNow() {
-        if (name_) ::unsetenv(name_);
+        if (name_) set_variable(name_, std::nullopt);
     }
     SetForNow(const SetForNow&) = delete;
     SetForNow& operator=(const SetForNow&) = delete;
@@ -29,7 +31,26 @@ private:
     const char* name_;
 };
 
-std::unique_ptr<Context> make_context(ContextChoice kind);
+// What else can be asked for: "--context egl".
+std::string others(ContextChoice choice) {
+    std::vector<std::string> words;
+    for (const OffscreenWay& way : offscreen_ways())
+        if (way.choice != choice) words.push_back("--context " + std::string(way.word));
+    return alternatives(words);
+}
+
+std::unique_ptr<Context> make_context(ContextChoice choice) {
+    std::string reasons;
+    std::vector<std::string> remedies;
+    for (const OffscreenWay& way : offscreen_ways()) try {
+            if (choice == ContextChoice::Auto || choice == way.choice) return way.make();
+        } catch (const ContextError& e) {
+            reasons += (reasons.empty() ? "" : "; ") + std::string(way.name) + ": " + e.what();
+            remedies.emplace_back(remedy(way.missing));
+        }
+    if (choice != ContextChoice::Auto) remedies.push_back("use " + others(choice));
+    throw ContextError("no graphics context: " + reasons + "; " + joined(remedies, ", or "));
+}
 
 }  // namespace
 
@@ -40,33 +61,5 @@ std::unique_ptr<Context> make_offscreen_context(const ContextOptions& options) {
     if (options.threads > 0) threads.emplace("LP_NUM_THREADS", std::to_string(options.threads));
     return make_context(options.choice);
 }
-
-namespace {
-
-std::unique_ptr<Context> make_context(ContextChoice kind) {
-    if (kind == ContextChoice::Egl) {
-        try {
-            return make_egl_context();
-        } catch (const ContextError& e) {
-            throw ContextError("no EGL context: " + std::string(e.what()) +
-                               "; install libegl1 with libgl1-mesa-dri, or use --context osmesa");
-        }
-    }
-    try {
-        return make_osmesa_context();
-    } catch (const ContextError& osmesa) {
-        if (kind == ContextChoice::Osmesa)
-            throw ContextError("no OSMesa context: " + std::string(osmesa.what()) +
-                               "; install libosmesa6, or use --context egl");
-        try {
-            return make_egl_context();
-        } catch (const ContextError& egl) {
-            throw ContextError("no graphics context: OSMesa: " + std::string(osmesa.what()) + "; EGL: " + egl.what() +
-                               "; install libosmesa6, or libegl1 with libgl1-mesa-dri");
-        }
-    }
-}
-
-}  // namespace
 
 }  // namespace normalscope

@@ -17,7 +17,8 @@ struct ContextOptions {
     std::size_t threads = 0;  ///< that Mesa's software driver draws with; 0: one a processor
 };
 
-/// Auto takes OSMesa, or else EGL. Both libraries are looked for at run time, since newer Mesa has no OSMesa. What the
+/// Auto takes what this system has, in the order of offscreen_ways: OSMesa, or else EGL; on Windows, a window that is never
+/// shown. The libraries are looked for at run time, since newer Mesa has no OSMesa. What the
 /// user's environment says about shaders and threads counts more than the options. Throws ContextError, naming what was
 /// tried. Call it while no other thread looks at the environment.
 std::unique_ptr<Context> make_offscreen_context(const ContextOptions& options);

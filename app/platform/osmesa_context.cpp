@@ -20,7 +20,7 @@ constexpr int kMajorVersion = 0x36, kMinorVersion = 0x37, kRgba = GL_RGBA;
 
 std::vector<std::string> library_names() {
     if (const char* name = std::getenv("NORMALSCOPE_OSMESA_LIBRARY")) return {name};
-    return {"libOSMesa.so.8", "libOSMesa.so"};
+    return {"libOSMesa.so.8", "libOSMesa.so", "osmesa.dll"};
 }
 
 class Osmesa final : public Context {

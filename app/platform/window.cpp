@@ -1,6 +1,7 @@
 #include "platform/window.h"
 
 #include "core/base/error.h"
+#include "core/base/system.h"
 #include "platform/gl_debug.h"
 
 #include <glad/gl.h>
@@ -122,7 +123,7 @@ Window::Window(const char* title, const WindowPlace& place) {
     if (!window_) {
         const std::string reason = last_error();
         glfwTerminate();
-        throw ContextError("no window: " + reason + "; an OpenGL 3.3 driver is needed");
+        throw ContextError("no window: " + reason + "; " + remedy(Missing::OpenGl));
     }
     if (place.position && !on_wayland()) glfwSetWindowPos(window_, place.position->x, place.position->y);
     glfwSetWindowSizeLimits(window_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);

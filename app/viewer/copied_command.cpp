@@ -2,7 +2,7 @@
 
 #include "core/base/decimal.h"
 #include "core/base/error.h"
-#include "core/base/text.h"
+#include "core/base/system.h"
 #include "core/frame/display_scale.h"
 #include "core/lessons/open.h"
 #include "core/scene/setting.h"

@@ -33,7 +33,7 @@ class ContextTest(CommandTest):
 
     def test_without_both(self):
         self.assert_fails(4, "capture", "-o", self.folder / "out.png", *SMALL, env={**NO_OSMESA, **NO_EGL},
-                          says=("OSMesa: ", "EGL: ", "install libosmesa6, or libegl1"))
+                          says=("OSMesa: ", "EGL: ", "install libosmesa6, or install libegl1"))
         self.assert_fails(4, "sweep", "--vary", "camera.azimuth=0:9:4", "-o", f"{self.folder}/", "--jobs", "2", *SMALL,
                           env={**NO_OSMESA, **NO_EGL}, says="no graphics context")
 

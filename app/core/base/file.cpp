@@ -2,9 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/links.h"
-
-#include <sys/mman.h>
-#include <unistd.h>
+#include "core/base/system.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -25,18 +23,9 @@ using File = std::unique_ptr<std::FILE, Close>;
     throw InputError(file.string(), std::string(what) + ": " + std::strerror(error));
 }
 
-// For a file of many megabytes, to get one small page after the other takes longer than to read it.
-void prefer_large_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size_t bytes) {
-#ifdef MADV_HUGEPAGE
-    constexpr std::size_t kLarge = std::size_t{2} << 20;
-    std::size_t space = bytes;
-    if (std::align(kLarge, kLarge, begin, space)) ::madvise(begin, space, MADV_HUGEPAGE);  // a wish; may go unheard
-#endif
-}
-
 std::FILE* open_to_write(const std::filesystem::path& file, const char* mode) {
     errno = 0;
-    std::FILE* stream = std::fopen(file.c_str(), mode);
+    std::FILE* stream = open_file(file, mode);
     if (!stream) fail(file, "cannot be written", errno);
     return stream;
 }
@@ -50,9 +39,9 @@ struct Partial {
 Partial open_partial(const std::filesystem::path& shown_as, const std::filesystem::path& file) {
     for (int i = 0;; ++i) {
         std::filesystem::path partial = file;
-        partial += ".part" + std::to_string(::getpid()) + (i > 0 ? "." + std::to_string(i) : "");
+        partial += ".part" + std::to_string(process_id()) + (i > 0 ? "." + std::to_string(i) : "");
         errno = 0;
-        if (std::FILE* stream = std::fopen(partial.c_str(), "wbx")) return {partial, stream};
+        if (std::FILE* stream = create_file(partial)) return {partial, stream};
         if (errno != EEXIST || i == 100) fail(shown_as, "cannot be written", errno);
     }
 }
@@ -86,6 +75,11 @@ std::string read_all(std::FILE* in, const std::string& name, std::size_t room, s
     return bytes;
 }
 
+std::string& standard_input() {
+    static std::string text;
+    return text;
+}
+
 constexpr std::size_t kUsualRoom = std::size_t{1} << 16;
 
 }  // namespace
@@ -96,7 +90,7 @@ std::string read_file(const std::filesystem::path& file, std::size_t largest) {
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored)) throw InputError(file.string(), "is a folder, not a file");
     errno = 0;
-    const File in(std::fopen(file.c_str(), "rb"));
+    const File in(open_file(file, "rb"));
     if (!in) fail(file, "cannot be read", errno);
     // The size that the file says it has is a hint only: a pipe says nothing, and a file may grow meanwhile.
     std::error_code unknown;
@@ -105,7 +99,12 @@ std::string read_file(const std::filesystem::path& file, std::size_t largest) {
     return read_all(in.get(), file.string(), unknown ? kUsualRoom : static_cast<std::size_t>(size) + 1, largest);
 }
 
-std::string read_standard_input(std::size_t largest) { return read_all(stdin, "standard input", kUsualRoom, largest); }
+std::string read_standard_input(std::size_t largest) {
+    std::string& text = standard_input();
+    text = read_all(stdin, "standard input", kUsualRoom, largest);
+    return text;
+}
+const std::string& standard_input_so_far() { return standard_input(); }
 
 void write_file(const std::filesystem::path& file, std::string_view bytes) {
     std::error_code error;
@@ -121,10 +120,10 @@ void write_file(const std::filesystem::path& file, std::string_view bytes) {
     const auto [partial, stream] = open_partial(file, end);
     try {
         write_all(file, stream, bytes);
-        std::filesystem::rename(partial, end);
-    } catch (const std::filesystem::filesystem_error& e) {
+        replace_file(partial, end);
+    } catch (const std::system_error& e) {
         std::filesystem::remove(partial, error);
-        fail(file, "cannot be written", e.code().value());
+        throw InputError(file.string(), "cannot be written: " + e.code().message());
     } catch (...) {
         std::filesystem::remove(partial, error);
         throw;

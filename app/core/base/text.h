@@ -15,7 +15,4 @@ std::string alternatives(std::span<const std::string> words);
 /// The letters A to Z made small; all else, other scripts too, stays.
 std::string in_small_letters(std::string text);
 
-/// The text as one word of a POSIX shell.
-std::string shell_word(const std::string& text);
-
 }  // namespace normalscope

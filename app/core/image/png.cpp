@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/system.h"
 
 #include <png.h>
 
@@ -135,7 +136,7 @@ Image read_png(const std::filesystem::path& file) {
     const std::uintmax_t bytes =
         std::filesystem::is_regular_file(file, error) ? std::filesystem::file_size(file, error) : 0;
     if (!error && bytes > kLarge && bytes <= kLargestPngFile && png_size(file)) {
-        const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(file.c_str(), "rb"), std::fclose);
+        const std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(open_file(file, "rb"), std::fclose);
         if (stream) return decoded_from(stream.get(), bytes, file.string());
     }
     return decoded_png(read_file(file, kLargestPngFile), file.string());

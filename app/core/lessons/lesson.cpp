@@ -165,7 +165,7 @@ Lesson lesson_of_json(const Json& json, const LessonSource& source) {
     lesson.name = source.name;
     for (LessonStep& step : lesson.steps)
         if (MeshSurface* m = std::get_if<MeshSurface>(&step.scene.surface))
-            m->mesh = (source.folder / m->mesh).lexically_normal().string();
+            m->mesh = (source.folder / m->mesh).lexically_normal().generic_string();
     return lesson;
 }
 

@@ -84,7 +84,7 @@ Contents contents_of_json(std::string_view text, const std::string& name, const 
         }
         Scene scene = scene_of_json(json);
         if (MeshSurface* m = std::get_if<MeshSurface>(&scene.surface))
-            m->mesh = (folder / m->mesh).lexically_normal().string();
+            m->mesh = (folder / m->mesh).lexically_normal().generic_string();
         return scene;
     } catch (const JsonError& e) {
         throw InputError(name, e.what());
@@ -165,7 +165,7 @@ void save_scene(const Scene& scene, const fs::path& file) {
         std::error_code error;
         const fs::path folder = fs::absolute(file, error).parent_path();
         const fs::path relative = fs::proximate(fs::absolute(m->mesh, error), folder, error);
-        if (!error) m->mesh = relative.string();
+        if (!error) m->mesh = relative.generic_string();  // which every system reads
     }
     write_file(file, scene_text(portable) + "\n");
 }

@@ -1,6 +1,7 @@
 #include "ui/kit/file_dialog.h"
 
 #include "core/base/error.h"
+#include "core/base/system.h"
 #include "core/lessons/open.h"
 #include "core/mesh/mesh_file.h"
 #include "ui/kit/dialog.h"
@@ -75,7 +76,7 @@ void FileDialog::enter(const fs::path& folder) {
     const std::vector<std::string_view> shown_endings =
         all_files_ ? std::vector<std::string_view>{} : endings(purpose_);
     listed_anew_ = true;
-    Folder next = read_folder(folder.empty() ? fs::path("/") : folder, shown_endings);
+    Folder next = read_folder(folder.empty() && drives().empty() ? fs::path("/") : folder, shown_endings);
     complaint_ = next.error;
     // An unreadable folder is not entered, unless there is nothing else to show.
     if (next.error.empty() || folder_.path.empty()) folder_ = std::move(next);
@@ -175,13 +176,14 @@ void FileDialog::title(const Look& look) {
     if (icon_button(look, "##parent",
                     {.icon = Icon::Up,
                      .about = "To the folder above",
-                     .enabled = folder_.path.has_relative_path(),
+                     .enabled = folder_.path.has_relative_path() || (!folder_.path.empty() && !drives().empty()),
                      .side = 30}))
-        enter(folder_.path.parent_path());
+        enter(folder_.path.has_relative_path() ? folder_.path.parent_path() : fs::path());
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    dim_text(look, shortened(shown(folder_.path), ImGui::GetContentRegionAvail().x));
-    tip(look, shown(folder_.path).c_str());
+    const std::string place = folder_.path.empty() ? "All drives" : shown(folder_.path);
+    dim_text(look, shortened(place, ImGui::GetContentRegionAvail().x));
+    tip(look, place.c_str());
 }
 
 void FileDialog::name_field(Requests& requests) {

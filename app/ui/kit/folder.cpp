@@ -1,8 +1,9 @@
 #include "ui/kit/folder.h"
 
+#include "core/base/system.h"
+
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 
 namespace normalscope {
 
@@ -22,13 +23,14 @@ std::string reason(const std::error_code& error) { return error.message(); }
 
 }  // namespace
 
-std::string shown(const fs::path& path) {
-    const std::u8string text = path.u8string();
-    return {text.begin(), text.end()};
-}
+std::string shown(const fs::path& path) { return text_of(path); }
 
 Folder read_folder(const fs::path& path, std::span<const std::string_view> endings) {
     Folder result{.path = path, .entries = {}, .error = {}};
+    if (path.empty()) {
+        for (const fs::path& drive : drives()) result.entries.push_back({text_of(drive), true});
+        return result;
+    }
     std::error_code error;
     fs::directory_iterator it(path, fs::directory_options::skip_permission_denied, error);
     // skip_permission_denied makes an unreadable folder look like an empty one: ask again.
@@ -59,12 +61,10 @@ Folder read_folder(const fs::path& path, std::span<const std::string_view> endin
 }
 
 fs::path resolved(const std::string& typed, const fs::path& folder) {
-    const fs::path path(std::u8string(typed.begin(), typed.end()));
+    const fs::path path = typed;
     if (typed == "~" || typed.starts_with("~/")) {
-        const char* home = std::getenv("HOME");
-        if (home && *home)
-            return (fs::path(home) / fs::path(path.string().substr(std::min<std::size_t>(2, typed.size()))))
-                .lexically_normal();
+        const fs::path home = home_folder();
+        if (!home.empty()) return (home / typed.substr(std::min<std::size_t>(2, typed.size()))).lexically_normal();
     }
     return (path.is_absolute() ? path : folder / path).lexically_normal();
 }

@@ -22,7 +22,7 @@ struct Folder {
 };
 
 /// Lists a folder's folders and those of its files that end in one of `endings` (lower case, with the dot); all files if
-/// there are none.
+/// there are none. Of no path at all: the drives, where there are any.
 Folder read_folder(const std::filesystem::path& path, std::span<const std::string_view> endings);
 
 /// The path as UTF-8, for the screen.

@@ -18,12 +18,6 @@ TEST(Text, ListsOfWords) {
     EXPECT_EQ(alternatives(std::span(words).first(1)), "one");
 }
 
-TEST(Text, OneWordOfAShell) {
-    EXPECT_EQ(shell_word("a-b_c.obj"), "a-b_c.obj");
-    EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
-    EXPECT_EQ(shell_word(""), "''");
-}
-
 TEST(Text, IsShortenedBetweenCharacters) {
     EXPECT_EQ(shortened("ααα", 6), "ααα");
     EXPECT_EQ(shortened("αααα", 6), "α…") << "6 bytes hold one letter and a half beside the three of …";

@@ -3,21 +3,21 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstdlib>
-#include <string_view>
 
 namespace normalscope {
 
 namespace {
 
+std::array<char, 1 << 16> own_stack;  // the other one may be what has overflowed
+
 constexpr std::array kSignals{SIGSEGV, SIGBUS, SIGABRT, SIGILL, SIGFPE};
 
 // Only what a signal's handler may do.
 void say_so(int) {
-    constexpr std::string_view kLine =
-        "normalscope: crashed while drawing, most likely in the graphics driver; is there enough memory?\n";
-    (void)!::write(STDERR_FILENO, kLine.data(), kLine.size());
-    ::_exit(4);
+    (void)!::write(STDERR_FILENO, CrashLine::kLine.data(), CrashLine::kLine.size());
+    ::_exit(CrashLine::kExitCode);
 }
 
 }  // namespace
@@ -28,7 +28,7 @@ CrashLine::CrashLine() {
         found.sa_handler != SIG_DFL)
         return;
     listening_ = true;
-    const stack_t stack{.ss_sp = stack_.data(), .ss_flags = 0, .ss_size = stack_.size()};
+    const stack_t stack{.ss_sp = own_stack.data(), .ss_flags = 0, .ss_size = own_stack.size()};
     ::sigaltstack(&stack, nullptr);
     struct sigaction action{};
     action.sa_handler = say_so;

@@ -1,0 +1,60 @@
+#include "batch/other_program.h"
+
+#include "core/base/system.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <sstream>
+
+namespace normalscope {
+
+std::optional<std::filesystem::path> find_program(const std::string& name) {
+    const std::string path = variable("PATH");
+    std::istringstream folders(path.empty() ? "/usr/local/bin:/usr/bin:/bin" : path);
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        std::filesystem::path program = std::filesystem::path(folder) / name;
+        if (::access(program.c_str(), X_OK) == 0) return program;
+    }
+    return std::nullopt;
+}
+
+OtherProgram::OtherProgram(const std::vector<std::string>& command, const std::filesystem::path& log) {
+    std::vector<char*> arguments;
+    for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    process_ = ::fork();
+    if (process_ != 0) return;
+    ::setpgid(0, 0);
+    const int nothing = ::open("/dev/null", O_RDONLY), out = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    if (nothing < 0 || out < 0) ::_exit(127);
+    ::dup2(nothing, STDIN_FILENO);
+    ::dup2(out, STDOUT_FILENO);
+    ::dup2(out, STDERR_FILENO);
+    ::execv(arguments[0], arguments.data());
+    ::_exit(127);
+}
+
+OtherProgram::~OtherProgram() {
+    if (process_ <= 0) return;
+    ::kill(static_cast<pid_t>(process_), SIGKILL);
+    ::waitpid(static_cast<pid_t>(process_), nullptr, 0);
+}
+
+std::optional<int> OtherProgram::ended_within(int milliseconds) {
+    if (process_ <= 0) return -1;
+    int status = 0;
+    const pid_t ended = ::waitpid(static_cast<pid_t>(process_), &status, WNOHANG);
+    if (ended == 0 || (ended < 0 && errno == EINTR)) {
+        ::poll(nullptr, 0, milliseconds);
+        return std::nullopt;
+    }
+    process_ = -1;
+    return ended > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+}  // namespace normalscope
