@@ -97,6 +97,7 @@ Declared declare_explain(CLI::App& root) {
     struct Given {
         ExplainCommand command;
         std::string format{name(command.format)};
+        bool fragment = false;
     };
     const auto given = std::make_shared<Given>();
     CLI::App& app =
@@ -110,10 +111,15 @@ Declared declare_explain(CLI::App& root) {
     add(app, "--format", given->format, "FORMAT",
         "How: text, for a terminal of 100 columns; json, every step's values with the keys of capture --numbers; or "
         "latex, a document");
+    app.add_flag("--fragment", given->fragment,
+                 "With latex: the equations alone, for a document of your own that loads amsmath and color");
     add_settings(app, given->command.settings);
     return {&app, [given] {
                 ExplainCommand command = given->command;
                 command.format = parse_format("--format", given->format);
+                if (given->fragment && command.format != ExplainFormat::Latex)
+                    throw UsageError("--fragment: is for --format latex");
+                if (given->fragment) command.format = ExplainFormat::LatexFragment;
                 return command;
             }};
 }

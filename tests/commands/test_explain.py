@@ -124,6 +124,12 @@ class ExplainTest(CommandTest):
         with open("/dev/full", "wb") as full:
             self.assert_fails(3, "explain", stdout=full)
 
+    def test_a_fragment_is_for_a_document_of_ones_own(self):
+        text = self.explain("shear", "--format", "latex", "--fragment")
+        self.assertIn("\\begin{align*}", text)
+        self.assertNotIn("documentclass", text)
+        self.assert_fails(2, "explain", "--fragment", says=("--format latex",))
+
     @unittest.skipUnless(shutil.which("pdflatex"), "pdflatex is not installed")
     def test_latex_compiles(self):
         cases = {scene: (scene,) for scene in SCENES} | {name: ("--set", setting) for name, setting in HARD.items()}

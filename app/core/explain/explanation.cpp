@@ -144,6 +144,7 @@ std::string explain(const Scene& scene, ExplainFormat format) {
         case ExplainFormat::Text: return explanation_text(e);
         case ExplainFormat::Json: return explanation_json(scene, frame, e);
         case ExplainFormat::Latex: return explanation_latex(e);
+        case ExplainFormat::LatexFragment: return equations_latex(e);
     }
     return {};
 }
