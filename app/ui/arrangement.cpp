@@ -42,7 +42,8 @@ Arrangement arrange(const Look& look, glm::ivec2 framebuffer, const Claims& clai
               (low ? a.drawer : has_room_for_panel(look, framebuffer.x, a.side));
     a.picture = beside(look, framebuffer, a);
     const auto strip = static_cast<int>(scene_strip_height(look, static_cast<float>(a.picture.size.x)));
-    a.strip = !claims.lecture && (a.drawer ? !a.panel : claims.panel) &&
+    const bool covered = a.picture.origin.x + a.picture.size.x > framebuffer.x - a.side;  // by the tab
+    a.strip = !claims.lecture && !covered && (a.drawer ? !a.panel : claims.panel) &&
               a.picture.size.y - strip >= static_cast<int>(look.px(kLowestPicture));
     if (a.strip) a.picture.origin.y = strip, a.picture.size.y -= strip;
     return a;

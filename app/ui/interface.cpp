@@ -85,7 +85,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
         s.look.tips = true;
     std::vector<StackEntry> before = scene.stack;
     draw_words(frame);
-    if (status.by_hand && !s.lecture.moving() && !s.lecture.exercises.running())
+    if (status.by_hand && !s.lecture.presenting && !s.lecture.moving() && !s.lecture.exercises.running())
         s.trail.follow(scene, frame);
     else
         s.trail = {};
@@ -99,7 +99,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     s.dialog.set_scene_file(status.has_file ? status.file : "");
     const glm::ivec2 framebuffer(io.DisplaySize.x, io.DisplaySize.y);
     const Arrangement room = s.arrangement(framebuffer);
-    if (room.drawer && drawer_handle(s.look, frame.rect, s.panel_shown)) s.panel_shown = !s.panel_shown;
+    if (room.drawer && drawer_handle(s.look, frame.rect, s.drawer_open)) s.drawer_open = !s.drawer_open;
     if (room.strip) s.draw_strip(scene, frame, status, requests);
     if (room.panel)
         draw_panel(scene, s.panel,
@@ -113,6 +113,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
                     .side = s.side,
                     .help = s.help,
                     .unfolded = s.unfolded,
+                    .asking = s.lecture.asking(),
                     .progress = s.lecture.progress});
     if (!s.lecture.exercises.running())
         draw_side_panel(scene, tabs, s.side, {.look = s.look, .frame = frame, .status = status},
@@ -204,11 +205,18 @@ bool Interface::keys_are_free() const {
 
 void Interface::edit_formula(Scene& scene) {
     if (!std::holds_alternative<FormulaSurface>(scene.surface)) scene.surface = state_->panel.formula.last;
-    state_->panel.formula.focus = state_->panel_shown = true;
+    state_->panel.formula.focus = state_->panel_shown = state_->drawer_open = true;
 }
 void Interface::toggle_help() { state_->help = !state_->help; }
-void Interface::toggle_panel() { state_->panel_shown = !state_->panel_shown; }
-bool Interface::panel_shown() const { return state_->panel_shown; }
+void Interface::toggle_panel() {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    bool& shown = state_->panel_wanted(glm::ivec2(screen.x, screen.y));
+    shown = !shown;
+}
+bool Interface::panel_shown() const {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    return state_->panel_wanted(glm::ivec2(screen.x, screen.y));
+}
 void Interface::ask_open() { state_->dialog.open(FileDialog::For::OpenAny); }
 bool Interface::asks_for_file() const { return state_->dialog.is_open() && state_->dialog.opens(); }
 void Interface::ask_no_more() { state_->dialog.withdraw(); }

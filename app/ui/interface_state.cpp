@@ -42,6 +42,8 @@ void InterfaceState::leave_one_thing(Scene& scene, Requests& requests) {
     if (lecture.presenting) {
         requests.end_presenting = true;
         presented_until = ImGui::GetTime();
+    } else if (side.open && !lecture.exercises.running()) {
+        side.open.reset();
     } else if (!lecture.player.running()) {
         lecture.leave(scene);
     } else if (ImGui::GetTime() - presented_until > kLater) {
@@ -72,7 +74,7 @@ Arrangement InterfaceState::arrangement(glm::ivec2 framebuffer) const {
     std::optional<float> tab;
     if (side.open) tab = side.open == kDerivation ? kDerivationWidth : kSideWidth;
     return arrange(look, framebuffer,
-                   {.panel = panel_shown,
+                   {.panel = is_drawer(look, framebuffer) ? drawer_open : panel_shown,
                     .lecture = lecture.talks(),
                     .presenting = lecture.presenting,
                     .exercising = lecture.exercises.running(),
@@ -93,13 +95,13 @@ void InterfaceState::draw_strip(Scene& scene, const Frame& frame, const Status& 
     }
 }
 
-// The naive rule breaks what is wanted of a normal; the right one follows in the end, or stops where M has no inverse.
+// Where the naive rule's arrow is seen, what becomes of its dot product; else the line at which the right one follows, or stops.
 void InterfaceState::ask_why(const Scene& scene) {
     const bool invertible = world_from_object(scene).normal_matrices_by_rule().rank == 3;
     side.open = kDerivation;
-    derivation.step_from(static_cast<std::size_t>(scene.rule == Rule::Naive ? DerivationLine::Wanted
-                                                  : invertible              ? DerivationLine::Rule
-                                                                            : DerivationLine::Solved));
+    const bool naive = scene.rule == Rule::Naive || scene.view != ViewMode::Single;
+    const DerivationLine right = invertible ? DerivationLine::Rule : DerivationLine::Solved;
+    derivation.step_from(naive && invertible ? kDerivationLines : static_cast<std::size_t>(right));
 }
 
 // A lecturer may write in any script.

@@ -8,6 +8,7 @@
 #include "ui/kit/side_panel.h"
 #include "ui/kit/unfolded.h"
 #include "ui/lecture/lecture.h"
+#include "ui/panel/drawer.h"
 #include "ui/panel/panel_memory.h"
 #include "ui/probe_trail.h"
 #include "ui/tabs/derivation_panel.h"
@@ -44,6 +45,7 @@ struct InterfaceState {
     mutable Lecture lecture;  // which remembers what it has measured
     bool captions = false;    ///< their fonts are in the atlas
     bool panel_shown = true, help = false;
+    bool drawer_open = false;  ///< the panel's, where it is one: the picture comes first
     Unfolded unfolded;
     double wake = std::numeric_limits<double>::infinity();
     double pointer_rested = 0.0;  ///< since when, by ImGui::GetTime
@@ -56,6 +58,8 @@ struct InterfaceState {
     /// Presenting first; a lesson only when asked again, and later: a key that bounces ends no lecture.
     void leave_one_thing(Scene& scene, Requests& requests);
     std::vector<SideTab> tabs();
+    /// Shown or not, in a window of this size.
+    bool& panel_wanted(glm::ivec2 framebuffer) { return is_drawer(look, framebuffer) ? drawer_open : panel_shown; }
     /// Who gets which part of the framebuffer.
     Arrangement arrangement(glm::ivec2 framebuffer) const;
     /// The sentence above the picture, and what is pressed there.

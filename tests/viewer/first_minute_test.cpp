@@ -73,13 +73,35 @@ TEST_F(FirstMinuteTest, PlayLetsTheTransformHappenAgain) {
 }
 
 TEST_F(FirstMinuteTest, WhyOpensTheLineAtStake) {
-    start();
+    Scene both = light();
+    both.view = ViewMode::Overlay;
+    start(both);
+    click(strip("Why?"));  // orange is in sight: its dot product, below the lines
+    EXPECT_TRUE(viewer().interface().derivation_shown());
+    EXPECT_EQ(viewer().interface().derivation_line(), std::nullopt);
+    key(ImGuiKey_Escape);
+    EXPECT_FALSE(viewer().interface().derivation_shown());
+    while (scene().view != ViewMode::Single) key(ImGuiKey_V);
     click(strip("Why?"));
     EXPECT_EQ(viewer().interface().derivation_line()->line, DerivationLine::Rule);
+}
+
+// The picture first, with its sentence; the controls are a press away.
+TEST_F(FirstMinuteTest, APhoneShowsThePictureFirst) {
+    host_.size = {390, 844};
+    start();
+    EXPECT_TRUE(has("##strip"));
+    EXPECT_FALSE(has("##panel"));
+    key(ImGuiKey_Tab);
+    EXPECT_TRUE(has("##panel"));
+    key(ImGuiKey_Tab);
     key(ImGuiKey_D);
-    key(ImGuiKey_N);
-    click(strip("Why?"));
-    EXPECT_EQ(viewer().interface().derivation_line()->line, DerivationLine::Wanted);
+    EXPECT_FALSE(has("##strip"));  // it would cover the row with the button that closes it
+    const ImGuiWindow* const derivation = ImGui::FindWindowByName("##derivation");
+    ASSERT_NE(derivation, nullptr);
+    EXPECT_GE(derivation->Pos.x, 0.0f);
+    key(ImGuiKey_Escape);
+    EXPECT_TRUE(has("##strip"));
 }
 
 TEST_F(FirstMinuteTest, TryItStartsExercisesAndLeavingThemBringsTheSceneBack) {

@@ -48,6 +48,8 @@ public:
     /// The lesson that is gone on to, once after it has been asked for.
     std::optional<std::string> wanted_lesson() { return std::exchange(wanted_lesson_, std::nullopt); }
 
+    /// A step's question waits for its answer.
+    bool asking() const { return player.running() && player.step().question && !player.answer(); }
     /// There are words below the picture.
     bool talks() const { return player.running() || exercises.running() || presenting; }
     /// It wants to be drawn again at once.

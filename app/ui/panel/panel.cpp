@@ -47,7 +47,7 @@ void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context) 
         if (formula) surface_section(scene, memory, context);
         singular_section(scene, context);
         slice_section(scene, context);
-        probe_section(scene, memory, context);
+        if (!context.asking) probe_section(scene, memory, context);
         if (!formula) surface_section(scene, memory, context);
         arrows_section(scene, context);
         picture_section(scene, context);

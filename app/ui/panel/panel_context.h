@@ -25,6 +25,7 @@ struct PanelContext {
     SideMemory& side;
     bool& help;
     Unfolded& unfolded;
+    bool asking;  ///< a lesson's question waits for its answer, which numbers would tell
     const std::map<std::string, std::size_t>& progress;  ///< the step at which each lesson was left
 };
 

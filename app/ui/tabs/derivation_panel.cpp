@@ -275,7 +275,8 @@ void DerivationPanel::draw(const Look& look, const Scene& scene, const Frame& fr
     pointed_at_before_ = std::exchange(pointed_at_, std::nullopt);
     if (!shown) return;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float width = look.px(kDerivationWidth), margin = look.px(kMargin), bar = ImGui::GetStyle().ScrollbarSize;
+    const float width = std::min(look.px(kDerivationWidth), screen.x), margin = look.px(kMargin),
+                bar = ImGui::GetStyle().ScrollbarSize;
     lay_out(look, scene, frame, width - 2 * margin - look.px(kGutter));
 
     // The arrow keys turn the lines over; otherwise they wander from button to button as everywhere.
