@@ -18,7 +18,9 @@ float old_hypotf(float x, float y);
 __asm__(".symver old_hypot, hypot@GLIBC_2.2.5");
 __asm__(".symver old_hypotf, hypotf@GLIBC_2.2.5");
 
+/* NOLINTBEGIN(bugprone-reserved-identifier): the linker has it so */
 double __wrap_hypot(double x, double y);
 double __wrap_hypot(double x, double y) { return old_hypot(x, y); }
 float __wrap_hypotf(float x, float y);
 float __wrap_hypotf(float x, float y) { return old_hypotf(x, y); }
+/* NOLINTEND(bugprone-reserved-identifier) */

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/output.h"
+#include "core/base/system.h"
 #include "core/image/png.h"
 #include "core/image/shrunk.h"
 
@@ -138,7 +139,7 @@ private:
 fs::path evidence_file(const CheckCommand& command, const Check& check) {
     std::string name = check.name;
     for (char& c : name)
-        if (c == '/' || static_cast<unsigned char>(c) < ' ') c = '-';
+        if (never_in_names().find(c) != std::string_view::npos || static_cast<unsigned char>(c) < ' ') c = '-';
     return command.results / (name + ".png");
 }
 

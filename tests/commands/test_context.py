@@ -10,7 +10,7 @@ from support import SMALL, CommandTest, run
 
 NO_OSMESA = {"NORMALSCOPE_OSMESA_LIBRARY": "/nonexistent"}
 NO_EGL = {"NORMALSCOPE_EGL_LIBRARY": "/nonexistent"}
-LLVM_SAYS = (b"LLVM ERROR: out of memory", b"Allocation failed")
+LLVM_SAYS = (b"LLVM ERROR: out of memory", b"LLVM ERROR: Unable to allocate section memory!", b"Allocation failed")
 NO_DISPLAY = {"DISPLAY": None, "WAYLAND_DISPLAY": None, "WAYLAND_SOCKET": None}
 
 

@@ -46,11 +46,18 @@ class WindowTest(unittest.TestCase):
                 xdotool("key", "Return")
                 saved = until(lambda: (folder / "saved.json").exists() and (folder / "saved.json").read_text(), "the scene")
                 self.assertEqual(json.loads(saved)["surface"]["shape"], "sphere")
+                xdotool("key", "ctrl+c")
+                command = until(lambda: subprocess.run(["xclip", "-o", "-selection", "clipboard"], stdout=subprocess.PIPE,
+                                                       stderr=subprocess.DEVNULL, check=False).stdout.decode(), "the command")
+                self.assertRegex(command, r'^normalscope capture "[A-Z]:\\.*räume-.*\\saved\.json" -o picture\.png ')
                 xdotool("key", "ctrl+q")
                 out, errors = program.communicate(timeout=PATIENCE)
                 self.assertEqual((program.returncode, out, errors), (0, b"", b""))
+                users = pathlib.Path(os.environ.get("WINEPREFIX", pathlib.Path.home() / ".wine")) / "drive_c" / "users"
+                self.assertTrue(list(users.glob("*/AppData/Roaming/normalscope/settings.json")))
             finally:
                 program.kill()
+                program.communicate()
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace normalscope {
@@ -43,6 +44,8 @@ bool is_terminal(std::FILE* stream);
 
 /// What is written for a path. What is no text in it becomes U+FFFD.
 std::string text_of(const std::filesystem::path& path);
+/// The characters, beside those that control a terminal, which no file's name can have.
+std::string_view never_in_names();
 /// The places at which all paths begin, where there are several.
 std::vector<std::filesystem::path> drives();
 /// In small letters, of any alphabet: as a folder that takes any case has names.

@@ -78,6 +78,7 @@ std::string standard_output_identity() {
 bool is_terminal(std::FILE* stream) { return ::isatty(::fileno(stream)) != 0; }
 
 std::string text_of(const std::filesystem::path& path) { return path.string(); }
+std::string_view never_in_names() { return "/"; }
 std::vector<std::filesystem::path> drives() { return {}; }
 
 // Without the C library's UTF-8 of a to z only.

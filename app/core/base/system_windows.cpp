@@ -89,8 +89,7 @@ std::string variable(const char* name) {
 }
 
 void set_variable(const char* name, const std::optional<std::string>& value) {
-    ::SetEnvironmentVariableW(wide(name).c_str(), value ? wide(*value).c_str() : nullptr);
-    ::_putenv_s(name, value ? value->c_str() : "");  // what std::getenv gives
+    ::_wputenv_s(wide(name).c_str(), value ? wide(*value).c_str() : L"");
 }
 
 std::filesystem::path home_folder() { return variable("USERPROFILE"); }
@@ -132,6 +131,7 @@ std::optional<std::string> file_identity(const std::filesystem::path& file) {
 std::string standard_output_identity() { return identity(handle_of(stdout)); }
 bool is_terminal(std::FILE* stream) { return ::_isatty(::_fileno(stream)) != 0; }
 std::string text_of(const std::filesystem::path& path) { return narrow(path.native()); }
+std::string_view never_in_names() { return "/\\:*?\"<>|"; }
 
 std::vector<std::filesystem::path> drives() {
     std::vector<std::filesystem::path> found;

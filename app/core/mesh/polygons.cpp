@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 namespace normalscope {
@@ -222,7 +223,7 @@ void set_normals(Mesh& mesh, const CornerKinds& kinds, const std::string& short_
 }  // namespace
 
 Mesh mesh_of(Polygons polygons, const std::string& file) {
-    const std::string short_name = file.substr(file.find_last_of('/') + 1);
+    const std::string short_name = std::filesystem::path(file).filename().string();
     check_positions(polygons, file);
     const CornerKinds kinds = check_corners(polygons, file);
 

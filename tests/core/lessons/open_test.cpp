@@ -35,7 +35,7 @@ TEST_F(OpenTest, SaysWhatANameIs) {
     const std::string scene = file("scene.json", R"({"rule": "naive", "surface": {"mesh": "m.obj"}})");
     const std::string lesson = file("lesson.JSON", R"({"lesson": "L", "steps": [{"caption": "a"}, {"caption": "b"}]})");
     ASSERT_TRUE(std::holds_alternative<Scene>(open_name(scene)));
-    EXPECT_EQ(std::get<MeshSurface>(load_scene(scene).surface).mesh, (folder_ / "m.obj").string());
+    EXPECT_EQ(std::get<MeshSurface>(load_scene(scene).surface).mesh, (folder_ / "m.obj").generic_string());
     EXPECT_TRUE(std::holds_alternative<Scene>(open_name("split")));
     EXPECT_TRUE(std::holds_alternative<Scene>(open_name(link_of(Scene{}))));
     EXPECT_EQ(std::get<MeshFile>(open_name("no/such.STL")).file, "no/such.STL");

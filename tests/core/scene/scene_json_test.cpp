@@ -156,7 +156,7 @@ TEST(SceneFile, MeshPathsAreRelativeToTheFile) {
     const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "normalscope scene test";
     std::filesystem::create_directories(folder / "meshes");
     Scene scene;
-    scene.surface = MeshSurface{(folder / "meshes" / "a.obj").string()};
+    scene.surface = MeshSurface{(folder / "meshes" / "a.obj").generic_string()};
     save_scene(scene, folder / "scene.json");
     EXPECT_NE(read_file(folder / "scene.json", 1 << 20).find("\"meshes/a.obj\""), std::string::npos);
     EXPECT_EQ(load_scene((folder / "scene.json").string()), scene);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
+#include <numbers>
 
 namespace normalscope {
 namespace {
@@ -35,7 +36,7 @@ TEST(Slice, LinesLieOnTheirLevelsAndBandsBetweenThem) {
         EXPECT_GE(f, patch.band * sets.step - 2e-3);
         EXPECT_LE(f, (patch.band + 1) * sets.step + 2e-3);
     }
-    EXPECT_NEAR(area(sets), M_PI * (4.0 - 0.09), 0.01);  // nothing is left out, nothing twice
+    EXPECT_NEAR(area(sets), std::numbers::pi * (4.0 - 0.09), 0.01);  // nothing is left out, nothing twice
     ASSERT_TRUE(sets.inside && sets.outside);
     EXPECT_LT(sphere.at({*sets.inside}).value, 0.0);
     EXPECT_GT(sphere.at({*sets.outside}).value, 0.0);
@@ -47,7 +48,7 @@ TEST(Slice, WhatHasNoFiniteValueStaysBlank) {
     ASSERT_FALSE(half.patches.empty());
     for (const LevelSets::Patch& patch : half.patches)
         for (const glm::dvec3& corner : patch.corners) EXPECT_GT(corner.x, 0.0);
-    EXPECT_NEAR(area(half), 2.0 * M_PI, 0.01);  // up to the last point that has a value
+    EXPECT_NEAR(area(half), 2.0 * std::numbers::pi, 0.01);  // up to the last point that has a value
 
     // f jumps from −∞ to ∞ over x = 0.013: no line f = 0 there.
     const LevelSets pole = level_sets(surface("1/(x-0.013)"), {});
