@@ -54,11 +54,12 @@ public:
 
     void upload_fonts() override { gui_.upload_fonts(); }
     void draw(const Picture& picture) override {
-        fit_target();
+        const Fitted fitted = fit_target();
         if (picture.rough && !rough_target_) rough_target_.emplace(target_->size(), 1);
         last_target_ = picture.rough ? &*rough_target_ : &*target_;
         renderer_.coarsen_drafts(picture.coarse);
-        if (picture.anew)
+        // The window may have been resized since the viewer looked: then nothing of before is held.
+        if (picture.anew || fitted == Fitted::Anew)
             renderer_.draw(picture.frame, *last_target_);
         else
             renderer_.draw_again(picture.frame, *last_target_);
@@ -104,12 +105,14 @@ private:
         else
             glfwWaitEvents();
     }
-    void fit_target() {
+    enum class Fitted { AsItWas, Anew };
+    Fitted fit_target() {
         const glm::ivec2 size = framebuffer_size();
-        if (target_ && target_->size() == size) return;
+        if (target_ && target_->size() == size) return Fitted::AsItWas;
         target_.reset();
         target_.emplace(size, kSamples);
         rough_target_.reset();
+        return Fitted::Anew;
     }
 
     Remembered remembered() {

@@ -62,9 +62,9 @@ test("the browser's own shortcuts are held back where the program has them", asy
 test("fingers: one orbits, two pinch, a tap picks; the keyboard comes for a field", async () => {
     const { page, said } = await open(browser, fileUrl + "#implicit-torus", { width: 390, height: 844, scale: 2, touch: true });
     const before = await scene(page);
-    const finger = await page.touchscreen.touchStart(60, 60);
-    await finger.move(120, 90);
-    await finger.move(160, 100);
+    const finger = await page.touchscreen.touchStart(60, 160);
+    await finger.move(120, 190);
+    await finger.move(160, 200);
     await finger.end();
     await drawn(page);
     const turned = await scene(page);
