@@ -1,9 +1,6 @@
 # The libraries of Windows: GLFW, zlib and libpng from their sources, and the headers of the others, which are the same
 # everywhere. All are within the program, which needs nothing but what Windows has.
-set(portable_folder "${NORMALSCOPE_THIRD_PARTY}/portable")
-if(NOT EXISTS "${portable_folder}/complete")
-  message(FATAL_ERROR "There is no GLFW in ${portable_folder}: run ./dev windows, or cmake/fetch_portable.sh")
-endif()
+include(cmake/own_glfw.cmake)
 
 include(cmake/header_library.cmake)
 header_library(windows_cli11 CLI)
@@ -16,13 +13,6 @@ find_package(Threads REQUIRED)
 
 include(cmake/zlib_and_png.cmake)
 zlib_and_png("${portable_folder}")
-
-set(GLFW_LIBRARY_TYPE STATIC)
-foreach(part DOCS EXAMPLES TESTS)
-  set(GLFW_BUILD_${part} OFF)
-endforeach()
-set(GLFW_INSTALL OFF)
-add_subdirectory("${portable_folder}/glfw3" glfw EXCLUDE_FROM_ALL)
 
 # As large a stack as elsewhere. And a path made of narrow text takes it to be UTF-8: see windows_utf8.c.
 add_library(windows_utf8 STATIC cmake/windows_utf8.c)

@@ -3,8 +3,19 @@
 #include "cli/values.h"
 
 #include <memory>
+#include <string>
 
 namespace normalscope {
+
+namespace {
+
+void add_lesson(CLI::App& app, std::string& value, const std::string& or_else = "") {
+    add(app, "LESSON", value, "",
+        "A lesson: its file (.json) or a built-in one's name (see normalscope lessons)" + or_else)
+        .required();
+}
+
+}  // namespace
 
 Declared declare_lessons(CLI::App& root) {
     struct Given {
@@ -42,9 +53,7 @@ Declared declare_handout(CLI::App& root) {
            "  normalscope handout all -o course.html --answers none\n"
            "  normalscope handout mine.json -o script.html --notes --answers inline\n"
            "  normalscope handout 1-normal-as-a-point -o lesson.html --live");
-    add(app, "LESSON", given->command.lesson, "",
-        "A lesson: its file (.json) or a built-in one's name (see normalscope lessons); or all: every built-in one")
-        .required();
+    add_lesson(app, given->command.lesson, "; or all, for every built-in one");
     add(app, "-o,--output", given->output, "OUT.html", "The page to write, pictures included; - is standard output")
         .required();
     add(app, "--size", given->size, "WIDTHxHEIGHT", "Of each picture, in pixels");
@@ -74,9 +83,7 @@ Declared declare_slides(CLI::App& root) {
     set_up(app,
            "  normalscope slides 4-derivation -o derivation-slides\n"
            "  normalscope slides mine.json -o mine-slides --size 1280x720 --live");
-    add(app, "LESSON", given->command.lesson, "",
-        "A lesson: its file (.json) or a built-in one's name (see normalscope lessons)")
-        .required();
+    add_lesson(app, given->command.lesson);
     add(app, "-o,--output", given->folder, "FOLDER", "A new folder, or an empty one: 01.png and so on, and index.html")
         .required();
     add(app, "--size", given->size, "WIDTHxHEIGHT", "Of each picture, in pixels");
@@ -102,9 +109,7 @@ Declared declare_animate(CLI::App& root) {
     set_up(app,
            "  normalscope animate 1-normal-as-a-point -o lesson.mp4\n"
            "  normalscope animate mine.json -o frames/ --size 640x360 --fps 10");
-    add(app, "LESSON", given->command.lesson, "",
-        "A lesson: its file (.json) or a built-in one's name (see normalscope lessons)")
-        .required();
+    add_lesson(app, given->command.lesson);
     add(app, "-o,--output", given->output, "OUT",
         "With ffmpeg installed, a .gif, .mp4 or .webm; or frame-%06d.png, where %06d becomes the picture's number; or "
         "a folder")

@@ -106,9 +106,7 @@ std::string handout(const HandoutCommand& command) {
     const CrashLine crash_line;
     Studio studio({.context = command.context, .pictures = pictures});
     const std::string title = lessons.size() == 1 ? lessons.front().title : "Normalscope: all lessons";
-    std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
-                       html_text(title) + "</title>\n<style>" + std::string(kStyle) + "</style>\n" +
-                       (live ? LiveHandout::policy() : "") + "</head>\n<body>\n";
+    std::string html = page_head(title, kStyle, live ? LiveHandout::policy() : "");
     for (const Lesson& lesson : lessons) {
         html += "<article>\n<h1>" + html_math(lesson.title) + "</h1>\n<p class=\"about\">" + html_math(lesson.about) +
                 "</p>\n<div class=\"steps\">\n";

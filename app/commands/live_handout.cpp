@@ -28,9 +28,8 @@ fs::path page_file() {
     for (const fs::path& file :
          {folder.parent_path() / "share/normalscope/normalscope.html", folder / "web/normalscope.html"})
         if (fs::exists(file, error)) return file;
-    throw InputError(
-        (folder / "web/normalscope.html").string(),
-        "the program as a page, which --live puts into the handout, has not been built; ./dev web builds it");
+    throw InputError((folder / "web/normalscope.html").string(),
+                     "the program as a page, which --live puts in, has not been built; ./dev web builds it");
 }
 
 std::string with(std::string text, std::string_view placeholder, const std::string& value) {

@@ -74,9 +74,7 @@ int run(const SlidesCommand& command) {
     make_folder(command.folder);
     const CrashLine crash_line;
     Studio studio({.context = command.context, .pictures = lesson.steps.size()});
-    std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
-                       html_text(lesson.title) + "</title>\n<style>" + std::string(kSlideStyle) + "</style>\n" +
-                       (live ? LiveHandout::policy() : "") + "</head>\n<body>\n";
+    std::string html = page_head(lesson.title, kSlideStyle, live ? LiveHandout::policy() : "");
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const LessonStep& step = lesson.steps[i];
         const CaptureOptions options{

@@ -6,6 +6,11 @@
 
 namespace normalscope {
 
+std::string page_head(const std::string& title, std::string_view style, const std::string& more) {
+    return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + html_text(title) +
+           "</title>\n<style>" + std::string(style) + "</style>\n" + more + "</head>\n<body>\n";
+}
+
 std::string data_of(const Image& image) { return "data:image/png;base64," + base64(png_bytes(image)); }
 
 std::string picture_html(const LessonStep& step, const std::string& source, const std::string& attributes) {

@@ -4,10 +4,14 @@
 #include "core/lessons/lesson.h"
 
 #include <string>
+#include <string_view>
 
 namespace normalscope {
 
-// A lesson's step as HTML, for handouts and slides.
+// A lesson's steps as HTML, for handouts and slides.
+
+/// Of a page, up to <body>; `more` goes to the end of its head.
+std::string page_head(const std::string& title, std::string_view style, const std::string& more);
 
 /// The picture itself, within the page.
 std::string data_of(const Image& image);

@@ -50,7 +50,7 @@ void share_menu(Scene& scene, const PanelContext& context) {
     if (ImGui::MenuItem("Copy link", "Ctrl+L")) context.requests.copy_link = true;
     tip(look, "The whole scene as one line of text: anyone who pastes it with Ctrl+V sees what you see.");
     if (ImGui::MenuItem("Copy HTML for a web page")) context.requests.copy_frame = true;
-    tip(look, "A frame with what you see, for a page of yours: put normalscope.html beside it.");
+    tip(look, "HTML that shows this scene in a page of your own. Put normalscope.html beside that page.");
     if (ImGui::MenuItem("Copy equations as LaTeX", "Ctrl+Shift+L")) context.requests.copy_equations = true;
     if (ImGui::MenuItem("Copy as a command", "Ctrl+C")) context.requests.copy_command = true;
     tip(look, "The command line that captures this picture.");

@@ -144,7 +144,7 @@ void how_sure(const Look& look, const MapClaims& c) {
     ImGui::SameLine();
     figure("digits lost", c.digits_lost ? fixed(c.digits_lost, 1) + " of 16" : "all", left + 0.60f * width,
            "The logarithm of the condition number.");
-    std::string sure = "A class counts where it holds to one part in a billion. ";
+    std::string sure = "M belongs to a class if it does so to one part in a billion. ";
     if (!c.condition)
         sure =
             "M has no inverse, or is so close to having none that 16 digits cannot tell: nothing can be inverted here.";
