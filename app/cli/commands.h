@@ -94,6 +94,14 @@ struct SlidesCommand {
     bool live = false;  ///< each picture wakes to the program where it is touched
 };
 
+/// `normalscope quiz LESSON -o OUT.xml`
+struct QuizCommand {
+    std::string lesson;  ///< "all": every built-in one; or exercises, by their name
+    Output output;
+    glm::ivec2 size{640, 400};
+    ContextChoice context = ContextChoice::Auto;
+};
+
 /// `normalscope animate LESSON -o OUT`
 struct AnimateCommand {
     std::string lesson, output;  ///< a video's name, or a picture's with a place for a number
@@ -130,6 +138,7 @@ struct Printed {
 };
 
 using Command = std::variant<ViewCommand, CaptureCommand, SweepCommand, ExplainCommand, ScenesCommand, LessonsCommand,
-                             HandoutCommand, SlidesCommand, AnimateCommand, CompareCommand, CheckCommand, Printed>;
+                             HandoutCommand, SlidesCommand, QuizCommand, AnimateCommand, CompareCommand, CheckCommand,
+                             Printed>;
 
 }  // namespace normalscope

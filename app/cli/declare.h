@@ -84,6 +84,7 @@ Declared declare_check(CLI::App& root);
 Declared declare_lessons(CLI::App& root);
 Declared declare_handout(CLI::App& root);
 Declared declare_slides(CLI::App& root);
+Declared declare_quiz(CLI::App& root);
 Declared declare_animate(CLI::App& root);
 
 }  // namespace normalscope

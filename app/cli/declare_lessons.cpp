@@ -98,6 +98,32 @@ Declared declare_slides(CLI::App& root) {
             }};
 }
 
+Declared declare_quiz(CLI::App& root) {
+    struct Given {
+        QuizCommand command;
+        std::string output, size{text_of(command.size)}, context{"auto"};
+    };
+    const auto given = std::make_shared<Given>();
+    CLI::App& app = *root.add_subcommand("quiz", "Write a lesson's questions, or exercises, as Moodle XML");
+    set_up(app,
+           "  normalscope quiz 1-normal-as-a-point -o quiz.xml\n"
+           "  normalscope quiz all -o course.xml\n"
+           "  normalscope quiz exercises:42 -o homework.xml");
+    add_lesson(app, given->command.lesson,
+               "; or all, for every built-in one; or exercises:SEED, for the first twelve of that set");
+    add(app, "-o,--output", given->output, "OUT.xml", "The questions to write, pictures included; - is standard output")
+        .required();
+    add(app, "--size", given->size, "WIDTHxHEIGHT", "Of each picture, in pixels");
+    add_context(app, given->context);
+    return {&app, [given] {
+                QuizCommand command = given->command;
+                command.output = parse_output("--output", given->output);
+                command.size = parse_size("--size", given->size);
+                command.context = parse_context("--context", given->context);
+                return command;
+            }};
+}
+
 Declared declare_animate(CLI::App& root) {
     struct Given {
         AnimateCommand command;

@@ -183,8 +183,8 @@ CommandLine::CommandLine()
     : root_{std::make_unique<CLI::App>("Shows what a transformation does to a surface's normals.", "normalscope")},
       view{declare_view(*root_)},
       commands{declare_capture(*root_), declare_sweep(*root_),   declare_explain(*root_), declare_scenes(*root_),
-               declare_lessons(*root_), declare_handout(*root_), declare_slides(*root_),  declare_animate(*root_),
-               declare_compare(*root_), declare_check(*root_)} {
+               declare_lessons(*root_), declare_handout(*root_), declare_slides(*root_),  declare_quiz(*root_),
+               declare_animate(*root_), declare_compare(*root_), declare_check(*root_)} {
     root_->require_subcommand(0, 1);
 }
 CommandLine::~CommandLine() = default;

@@ -20,6 +20,8 @@ int check_lessons(const LessonsCommand& command);
 int run(const HandoutCommand& command);
 /// A lesson as a folder of pictures, and a page that shows each with its words.
 int run(const SlidesCommand& command);
+/// Its questions as Moodle XML, with their pictures; of exercises, numbers to be filled in.
+int run(const QuizCommand& command);
 /// A lesson from its first step to its last, with its captions, as a video or numbered pictures.
 int run(const AnimateCommand& command);
 /// Compares two pictures and prints one line that says how far they are apart.

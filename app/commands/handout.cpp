@@ -82,18 +82,8 @@ std::string words(const LessonStep& step, std::size_t number, const HandoutComma
     return html;
 }
 
-std::vector<Lesson> lessons_of(const HandoutCommand& command) {
-    std::vector<Lesson> lessons;
-    if (command.lesson != "all") {
-        lessons.push_back(load_lesson(command.lesson));
-    } else {
-        for (const BuiltInLesson& each : built_in_lessons()) lessons.push_back(built_in_lesson(each.name));
-    }
-    return lessons;
-}
-
 std::string handout(const HandoutCommand& command) {
-    const std::vector<Lesson> lessons = lessons_of(command);
+    const std::vector<Lesson> lessons = load_lessons(command.lesson);
     FilesOfRun files;
     std::size_t pictures = 0;
     for (const Lesson& lesson : lessons) {

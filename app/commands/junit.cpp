@@ -1,6 +1,7 @@
 #include "commands/junit.h"
 
 #include "core/base/decimal.h"
+#include "core/base/html.h"
 #include "core/base/system.h"
 #include "core/base/utf8.h"
 
@@ -14,27 +15,8 @@ namespace normalscope {
 
 namespace {
 
-// XML 1.0 has no way at all to write control characters, U+FFFE and U+FFFF.
-std::string xml_text(const std::string& text) {
-    std::string out;
-    const std::string line = in_one_line(text);
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        const std::string_view rest = std::string_view(line).substr(i, 3);
-        const bool is_none = rest == "\uFFFE" || rest == "\uFFFF";
-        switch (line[i]) {
-            case '&': out += "&amp;"; break;
-            case '<': out += "&lt;"; break;
-            case '>': out += "&gt;"; break;
-            case '"': out += "&quot;"; break;
-            default: out += is_none ? std::string("\uFFFD") : std::string(1, line[i]);
-        }
-        i += is_none ? 2 : 0;
-    }
-    return out;
-}
-
 std::string attribute(const char* name, const std::string& value) {
-    return std::string(" ") + name + "=\"" + xml_text(value) + "\"";
+    return std::string(" ") + name + "=\"" + xml_text(in_one_line(value)) + "\"";
 }
 
 std::string seconds_text(double seconds) { return with_decimals(seconds, 3); }
@@ -79,16 +61,16 @@ std::string type_of(const CheckResult& r) {
 std::string attachments(const CheckResult& r) {
     std::string lines;
     for (const std::filesystem::path& file : r.evidence)
-        lines +=
-            "[[ATTACHMENT|" + xml_text(file.lexically_proximate(std::filesystem::current_path()).string()) + "]]\n";
+        lines += "[[ATTACHMENT|" +
+                 xml_text(in_one_line(file.lexically_proximate(std::filesystem::current_path()).string())) + "]]\n";
     return lines.empty() ? lines : "      <system-out>" + lines + "</system-out>\n";
 }
 
 std::string outcome(const CheckResult& r) {
     if (r.state == CheckState::Skipped) return "      <skipped" + attribute("message", r.line) + "/>\n";
     const std::string tag = r.state == CheckState::Fail ? "failure" : "error";
-    return "      <" + tag + attribute("message", r.line) + attribute("type", type_of(r)) + ">" + xml_text(r.line) +
-           "</" + tag + ">\n" + attachments(r);
+    return "      <" + tag + attribute("message", r.line) + attribute("type", type_of(r)) + ">" +
+           xml_text(in_one_line(r.line)) + "</" + tag + ">\n" + attachments(r);
 }
 
 }  // namespace

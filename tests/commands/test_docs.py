@@ -22,7 +22,7 @@ except ImportError:
     yaml = None
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-COMMANDS = ("capture", "sweep", "explain", "scenes", "lessons", "handout", "slides", "animate", "compare", "check")
+COMMANDS = ("capture", "sweep", "explain", "scenes", "lessons", "handout", "slides", "quiz", "animate", "compare", "check")
 
 BLOCK = re.compile(
     r"(?:^ *<!-- not run: (?P<reason>[^\n]+) -->\n)?"
@@ -35,7 +35,7 @@ LINK = re.compile(r"\]\(([^)\s]+)\)")
 PROGRAM = """#!/bin/sh
 case " $* " in
     *" --size "*) ;;
-    " capture "* | " sweep "* | " handout "* | " animate "*) set -- "$@" --size 160x120 ;;
+    " capture "* | " sweep "* | " handout "* | " quiz "* | " animate "*) set -- "$@" --size 160x120 ;;
 esac
 errors=$(mktemp)
 trap 'rm -f "$errors"' EXIT

@@ -8,7 +8,7 @@ import unittest
 from support import CommandTest
 
 SNAPSHOTS = pathlib.Path(__file__).parent / "snapshots"
-COMMANDS = ("", "capture", "sweep", "explain", "scenes", "lessons", "handout", "slides", "animate", "compare", "check")
+COMMANDS = ("", "capture", "sweep", "explain", "scenes", "lessons", "handout", "slides", "quiz", "animate", "compare", "check")
 
 
 class HelpTest(CommandTest):

@@ -26,6 +26,19 @@ std::string html_text(std::string_view utf8) {
     return html;
 }
 
+std::string xml_text(std::string_view utf8) {
+    std::string text;
+    for (std::size_t i = 0; i < utf8.size(); ++i) {
+        const std::string_view rest = utf8.substr(i, 3);
+        const bool is_none = rest == "\uFFFE" || rest == "\uFFFF";
+        const auto c = static_cast<unsigned char>(utf8[i]);
+        const bool is_control = c < ' ' && c != '\n' && c != '\t';
+        text += is_none || is_control ? "\uFFFD" : std::string(1, utf8[i]);
+        i += is_none ? 2 : 0;
+    }
+    return html_text(text);
+}
+
 std::string html_math(std::string_view utf8) {
     std::string html;
     while (!utf8.empty()) {

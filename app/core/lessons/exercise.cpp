@@ -214,7 +214,6 @@ Exercise make_exercise(std::uint64_t seed, int number) {
             transform(e);
         } while (!tells_the_rules_apart(e));
         e.scene.probe = e.at;
-        e.task += " Drag the dark arrow to where the normal points.";
     }
     transform(e);
     return e;

@@ -24,7 +24,7 @@ struct Exercise {
     Normal<World> truth;    ///< unit, by the inverse transpose: outward in the world
     Normal<World> naive;    ///< unit
 
-    std::string task;                ///< what M does and what to do
+    std::string task;                ///< what M does
     std::vector<std::string> hints;  ///< from a nudge to nearly all
     std::string why;                 ///< one sentence
 

@@ -152,6 +152,13 @@ Lesson load_lesson(const std::string& name) {
     return *opened->lesson;
 }
 
+std::vector<Lesson> load_lessons(const std::string& name) {
+    if (name != "all") return {load_lesson(name)};
+    std::vector<Lesson> lessons;
+    for (const BuiltInLesson& each : built_in_lessons()) lessons.push_back(built_in_lesson(each.name));
+    return lessons;
+}
+
 Scene with_mesh(Scene scene, const std::string& file) {
     scene.about.clear();
     scene.surface = MeshSurface{file};

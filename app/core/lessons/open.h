@@ -38,6 +38,8 @@ Scene first_scene(const Contents& contents);
 Scene load_scene(const std::string& name);
 /// Where nothing but a lesson will do. Throws InputError.
 Lesson load_lesson(const std::string& name);
+/// The same, and of "all" every built-in one.
+std::vector<Lesson> load_lessons(const std::string& name);
 
 /// The scene with a mesh file as its surface and all else kept.
 Scene with_mesh(Scene scene, const std::string& file);

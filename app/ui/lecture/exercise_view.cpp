@@ -11,6 +11,10 @@ constexpr const char* kUnmoved =
     "You have not moved the arrow yet: it still points as the normal does on the object. Check (Enter) again to answer "
     "with it.";
 
+std::string task_of(const Exercise& exercise) {
+    return exercise.question ? exercise.task : exercise.task + " Drag the dark arrow to where the normal points.";
+}
+
 }  // namespace
 
 void Exercises::start(std::uint64_t seed, Scene& scene) {
@@ -103,7 +107,7 @@ void Exercises::choose(std::size_t choice, Scene& scene) {
 }
 
 Speech Exercises::speech() const {
-    Speech speech{exercise_.task, {}, {}, exercise_.question};
+    Speech speech{task_of(exercise_), {}, {}, exercise_.question};
     if (judgement_) {
         speech.caption = verdict(exercise_, *judgement_);
         speech.look_at = points_line(*judgement_);
@@ -119,9 +123,9 @@ Speech Exercises::speech() const {
 std::vector<Speech> Exercises::speeches() const {
     std::vector<Speech> all{speech()};
     if (exercise_.question) return all;
-    for (const std::string& hint : exercise_.hints) all.push_back({exercise_.task, hint, {}, {}});
+    for (const std::string& hint : exercise_.hints) all.push_back({task_of(exercise_), hint, {}, {}});
     const Judgement naive = judge(exercise_, {exercise_.naive.xyz}, 0);
-    all.push_back({exercise_.task, kUnmoved, {}, {}});
+    all.push_back({task_of(exercise_), kUnmoved, {}, {}});
     all.push_back({verdict(exercise_, naive), points_line(naive), {}, {}});
     return all;
 }
