@@ -1,7 +1,6 @@
 # build/web/normalscope.html: the program as one page that needs nothing else.
 
 add_executable(engine app/web/exports.cpp)
-target_link_libraries(normalscope_web PRIVATE imgui_backends)
 target_link_libraries(engine PRIVATE normalscope_web)
 target_link_options(engine PRIVATE
   --no-entry --js-library ${PROJECT_SOURCE_DIR}/app/web/library.js

@@ -1,13 +1,11 @@
 #include "desktop/desktop.h"
 
 #include "desktop/cursors.h"
-#include "desktop/gl_gui.h"
 #include "desktop/keys.h"
 #include "desktop/recovery.h"
 #include "desktop/settings.h"
-#include "gl/renderer.h"
-#include "gl/target.h"
 #include "platform/system_fonts.h"
+#include "screen/screen.h"
 #include "viewer/viewer.h"
 
 #define GLFW_INCLUDE_NONE  // GL's declarations come from glad
@@ -20,8 +18,6 @@
 namespace normalscope {
 
 namespace {
-
-constexpr int kSamples = 4;
 
 /// The viewer in a window of GLFW's, drawn by GL.
 class Desktop final : public Host {
@@ -52,31 +48,14 @@ public:
     glm::ivec2 framebuffer_size() const override { return window_.framebuffer_size(); }
     float content_scale() const override { return window_.content_scale(); }
 
-    void upload_fonts() override { gui_.upload_fonts(); }
-    void draw(const Picture& picture) override {
-        const Fitted fitted = fit_target();
-        if (picture.rough && !rough_target_) rough_target_.emplace(target_->size(), 1);
-        last_target_ = picture.rough ? &*rough_target_ : &*target_;
-        renderer_.coarsen_drafts(picture.coarse);
-        // The window may have been resized since the viewer looked: then nothing of before is held.
-        if (picture.anew || fitted == Fitted::Anew)
-            renderer_.draw(picture.frame, *last_target_);
-        else
-            renderer_.draw_again(picture.frame, *last_target_);
-        gui_.draw();
-        if (picture.timed) Target::finish();  // swapping waits for the screen besides
-    }
+    void upload_fonts() override { screen_.upload_fonts(); }
+    void draw(const Picture& picture) override { screen_.draw(picture, framebuffer_size()); }
     void show() override {
-        last_target_->show();
+        screen_.show();
         glfwSwapBuffers(window_.handle());
         cursors_.show_in(window_.handle());
     }
-    Image image_of(const Frame& frame) override {
-        fit_target();
-        renderer_.draw(frame, *target_);
-        gui_.draw();
-        return target_->read();
-    }
+    Image image_of(const Frame& frame) override { return screen_.image_of(frame, framebuffer_size()); }
 
     std::vector<FontFile> fonts_for(std::span<const char32_t> letters) override { return system_fonts(letters); }
 
@@ -105,15 +84,6 @@ private:
         else
             glfwWaitEvents();
     }
-    enum class Fitted { AsItWas, Anew };
-    Fitted fit_target() {
-        const glm::ivec2 size = framebuffer_size();
-        if (target_ && target_->size() == size) return Fitted::AsItWas;
-        target_.reset();
-        target_.emplace(size, kSamples);
-        rough_target_.reset();
-        return Fitted::Anew;
-    }
 
     Remembered remembered() {
         Remembered remembered = settings_.remembered;
@@ -128,11 +98,8 @@ private:
         explicit Current(Window& window) { window.make_current(); }
     } current_{window_};
     Cursors cursors_;
-    Renderer renderer_;
-    std::optional<Target> target_, rough_target_;  // the latter while something moves that takes its time
-    Target* last_target_ = nullptr;
     Viewer viewer_;
-    GlGui gui_;
+    Screen screen_;  // Dear ImGui's context is the viewer's
 };
 
 void Desktop::connect() {

@@ -144,7 +144,7 @@ Samples::Layout layout_for(const Frame& frame) {
 
 }  // namespace
 
-void Renderer::draw(const Frame& frame, Target& target) {
+void Renderer::draw(const Frame& frame, Target& target, Beside beside) {
     resources_->hold(frame.surface);
     if (target.samples() > 1) {
         PixelRect box;
@@ -165,16 +165,16 @@ void Renderer::draw(const Frame& frame, Target& target) {
         }
         resources_->only_sample.reset();
     }
-    draw_again(frame, target);
+    draw_again(frame, target, beside);
 }
 
-void Renderer::draw_again(const Frame& frame, Target& target) {
+void Renderer::draw_again(const Frame& frame, Target& target, Beside beside) {
     target.bind_picture();
-    glDisable(GL_SCISSOR_TEST);
-    const glm::vec3 beside = theme_colors(frame.theme).panel;
-    glClearColor(beside.r, beside.g, beside.b, 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_SCISSOR_TEST);
+    scissor(beside == Beside::Stays ? upright(frame.rect, target) : PixelRect{{}, target.size()});
+    const glm::vec3 ground = theme_colors(frame.theme).panel;
+    glClearColor(ground.r, ground.g, ground.b, 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     for (const Pane& pane : frame.panes) {
         resources_->draw_backdrop(frame, pane, target);
         if (target.samples() == 1) resources_->draw_pane(frame, pane);

@@ -6,7 +6,6 @@
 
 #include <emscripten/html5.h>
 #include <imgui.h>
-#include <imgui_impl_opengl3.h>
 
 #include <array>
 #include <cstdlib>
@@ -15,7 +14,6 @@ namespace normalscope {
 
 namespace {
 
-constexpr int kSamples = 4;
 constexpr std::size_t kLargestSaved = std::size_t{1} << 28;
 
 EMSCRIPTEN_WEBGL_CONTEXT_HANDLE make_context() {
@@ -48,25 +46,14 @@ const char* cursor() {
 
 }  // namespace
 
-struct Page::Drawing {
-    Drawing() { ImGui_ImplOpenGL3_Init("#version 300 es"); }
-    ~Drawing() { ImGui_ImplOpenGL3_Shutdown(); }
-    Drawing(const Drawing&) = delete;
-    Drawing& operator=(const Drawing&) = delete;
-
-    Renderer renderer;
-    std::optional<Target> target, rough_target;  // the latter while something moves that takes its time
-    Target* last = nullptr;
-};
-
 Page::Page(glm::ivec2 size, float scale, Opened first, Remembered remembered)
     : size_(size), scale_(scale), context_(make_context()), remembered_(kept(remembered)) {
     viewer_ = std::make_unique<Viewer>(*this, std::move(first), std::move(remembered));
-    drawing_ = std::make_unique<Drawing>();  // Dear ImGui's context is the viewer's
+    screen_ = std::make_unique<Screen>();  // Dear ImGui's context is the viewer's
 }
 
 Page::~Page() {
-    drawing_.reset();
+    screen_.reset();
     emscripten_webgl_destroy_context(context_);
 }
 
@@ -77,12 +64,12 @@ void Page::resize(glm::ivec2 size, float scale) {
 }
 
 // What is lost need not be deleted, but that does no harm either.
-void Page::lose() { drawing_.reset(); }
+void Page::lose() { screen_.reset(); }
 
 void Page::restore() {
     emscripten_webgl_make_context_current(context_);
-    drawing_ = std::make_unique<Drawing>();
-    upload_fonts();
+    screen_ = std::make_unique<Screen>();
+    screen_->upload_fonts();
     viewer_->expose();
 }
 
@@ -94,47 +81,17 @@ void Page::remember() {
 double Page::now() const { return emscripten_get_now() / 1000.0; }
 
 void Page::upload_fonts() {
-    if (!drawing_) return;
-    // The backend's NewFrame uploads a new font atlas only where it makes everything anew.
-    ImGui_ImplOpenGL3_DestroyDeviceObjects();
-    ImGui_ImplOpenGL3_NewFrame();
+    if (screen_) screen_->upload_fonts();
 }
 
-Target& Page::target(bool rough) {
-    Drawing& d = *drawing_;
-    if (!d.target || d.target->size() != size_) {
-        d.target.reset();
-        d.rough_target.reset();
-        d.target.emplace(size_, kSamples);
-    }
-    if (rough && !d.rough_target) d.rough_target.emplace(size_, 1);
-    return rough ? *d.rough_target : *d.target;
-}
-
-void Page::draw(const Picture& picture) {
-    Drawing& d = *drawing_;
-    const bool first = !d.last;
-    d.last = &target(picture.rough);
-    d.renderer.coarsen_drafts(picture.coarse);
-    if (picture.anew || first)
-        d.renderer.draw(picture.frame, *d.last);
-    else
-        d.renderer.draw_again(picture.frame, *d.last);
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    if (picture.timed) Target::finish();
-}
+void Page::draw(const Picture& picture) { screen_->draw(picture, size_); }
 
 void Page::show() {
-    drawing_->last->show();
+    screen_->show();
     page_cursor(cursor());
 }
 
-Image Page::image_of(const Frame& frame) {
-    Target& whole = target(false);
-    drawing_->renderer.draw(frame, whole);
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-    return whole.read();
-}
+Image Page::image_of(const Frame& frame) { return screen_->image_of(frame, size_); }
 
 std::optional<LetterPicture> Page::draw_letter(char32_t letter, float em) {
     std::array<float, 5> measures{};

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "gl/renderer.h"
-#include "gl/target.h"
+#include "screen/screen.h"
 #include "viewer/viewer.h"
 
 #include <emscripten/html5_webgl.h>
@@ -31,7 +30,7 @@ public:
     void remember();
 
     double now() const override;
-    glm::ivec2 framebuffer_size() const override { return drawing_ ? size_ : glm::ivec2(0); }
+    glm::ivec2 framebuffer_size() const override { return screen_ ? size_ : glm::ivec2(0); }
     float content_scale() const override { return scale_; }
     void upload_fonts() override;
     void draw(const Picture& picture) override;
@@ -51,15 +50,11 @@ public:
     void keep(const std::string& scene) override;
 
 private:
-    /// All that lives in the canvas' context.
-    struct Drawing;
-    Target& target(bool rough);
-
     glm::ivec2 size_;
     float scale_;
     EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context_;
     std::string clipboard_, remembered_;
-    std::unique_ptr<Drawing> drawing_;
+    std::unique_ptr<Screen> screen_;  // all that lives in the canvas' context
     std::unique_ptr<Viewer> viewer_;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "desktop/gl_gui.h"
 #include "measure.h"
+#include "screen/screen.h"
 #include "viewer/gui.h"
 #include "viewer/host.h"
 
@@ -10,7 +10,7 @@
 
 namespace normalscope {
 
-/// What the benchmarks lay the interface out for: a size and a clock, no window. A context of GL's is current.
+/// What the benchmarks draw on: a size and a clock, no window. A context of GL's is current.
 class BenchHost final : public Host {
 public:
     explicit BenchHost(glm::ivec2 size) : size_(size) {}
@@ -20,14 +20,13 @@ public:
     float content_scale() const override { return 1.0f; }
     /// Dear ImGui has a context by now.
     void upload_fonts() override {
-        if (!gui_) gui_.emplace();
-        gui_->upload_fonts();
+        if (!screen_) screen_.emplace();
+        screen_->upload_fonts();
     }
-    void draw_gui() const { gui_->draw(); }
     /// Before Dear ImGui's context goes.
-    void release() { gui_.reset(); }
+    void release() { screen_.reset(); }
 
-    void draw(const Picture&) override {}
+    void draw(const Picture& picture) override { screen_->draw(picture, size_); }
     void show() override {}
     Image image_of(const Frame&) override { return make_image(size_); }
     std::string clipboard() override { return {}; }
@@ -42,10 +41,10 @@ public:
 private:
     Stopwatch clock_;
     glm::ivec2 size_;
-    std::optional<GlGui> gui_;
+    std::optional<Screen> screen_;
 };
 
-/// Dear ImGui around an Interface, drawn by GL.
+/// Dear ImGui around an Interface, and a picture under it, drawn by GL.
 class BenchGui {
 public:
     explicit BenchGui(glm::ivec2 size) : host_(size), gui_(host_) {}
@@ -54,7 +53,7 @@ public:
     BenchGui& operator=(const BenchGui&) = delete;
 
     void layout(Theme theme, float scale, const std::function<void()>& content) { gui_.layout(theme, scale, content); }
-    void draw() const { host_.draw_gui(); }
+    void draw(const Picture& picture) { host_.draw(picture); }
     Interface& interface() { return gui_.interface; }
 
 private:

@@ -7,13 +7,9 @@
 #include "core/picture/make_frame.h"
 #include "core/scene/scene_json.h"
 #include "core/surface/surface.h"
-#include "gl/renderer.h"
-#include "gl/target.h"
 #include "gl/version.h"
 #include "measure.h"
 #include "platform/offscreen_context.h"
-
-#include <glad/gl.h>
 
 #include <cstdio>
 #include <vector>
@@ -25,8 +21,6 @@ namespace {
 double median_frame_milliseconds(int samples) {
     constexpr glm::ivec2 kSize(1280, 720);
     constexpr int kFrames = 60;
-    Target target(kSize, samples);
-    Renderer renderer;
     BenchGui gui(kSize);
     SurfaceCache surfaces;
     Scene scene = load_scene(std::string(kDefaultScene));
@@ -36,9 +30,7 @@ double median_frame_milliseconds(int samples) {
         scene.camera.azimuth += 1.0;
         const Frame frame = make_frame(scene, surfaces.get(scene), {.rect = gui.interface().picture(kSize)});
         gui.layout(scene.theme, 1.0f, [&] { gui.interface().draw(scene, frame, {}); });
-        renderer.draw(frame, target);
-        gui.draw();
-        glFinish();
+        gui.draw({.frame = frame, .rough = samples == 1, .timed = true});
         if (i >= 5) milliseconds.push_back(watch.milliseconds());  // the first ones compile shaders
     }
     return median(milliseconds);

@@ -10,14 +10,10 @@
 #include "core/picture/make_frame.h"
 #include "core/surface/level_sets.h"
 #include "core/surface/surface.h"
-#include "gl/renderer.h"
-#include "gl/target.h"
 #include "measure.h"
 #include "platform/offscreen_context.h"
 #include "viewer/opening.h"
 #include "viewer/pace.h"
-
-#include <glad/gl.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -62,10 +58,7 @@ public:
         Scene shown = scene;
         gui_.layout(scene.theme, scale_, [&] { gui_.interface().draw(shown, frame, status); });
         const bool rough = pace_.rough(moving) || (moving && surface->implicit);
-        renderer_.coarsen_drafts(pace_.coarse());
-        renderer_.draw(frame, rough ? rough_target_ : target_);
-        gui_.draw();
-        glFinish();
+        gui_.draw({frame, true, rough, pace_.coarse(), true});
         pace_.took(watch.seconds());
     }
 
@@ -74,8 +67,6 @@ public:
 private:
     float scale_;
     Pace pace_;
-    Target target_{kSize, 4}, rough_target_{kSize, 1};
-    Renderer renderer_;
     BenchGui gui_{kSize};
     std::unique_ptr<SurfaceCache> surfaces_;
     LevelSetsCache level_sets_;
