@@ -137,8 +137,8 @@ struct Printed {
     std::string text;
 };
 
-using Command = std::variant<ViewCommand, CaptureCommand, SweepCommand, ExplainCommand, ScenesCommand, LessonsCommand,
-                             HandoutCommand, SlidesCommand, QuizCommand, AnimateCommand, CompareCommand, CheckCommand,
-                             Printed>;
+using Command =
+    std::variant<ViewCommand, CaptureCommand, SweepCommand, ExplainCommand, ScenesCommand, LessonsCommand,
+                 HandoutCommand, SlidesCommand, QuizCommand, AnimateCommand, CompareCommand, CheckCommand, Printed>;
 
 }  // namespace normalscope
