@@ -108,7 +108,8 @@ struct AnimateCommand {
     glm::ivec2 size{1280, 720};
     ContextChoice context = ContextChoice::Auto;
     int frames_per_second = 25;
-    double seconds = 4.0;  ///< for which each step stands still
+    std::optional<double> seconds;  ///< for which each step stands still; empty: by the lesson, and by its words
+    std::optional<std::filesystem::path> subtitles;
 };
 
 /// `normalscope compare ACTUAL EXPECTED`

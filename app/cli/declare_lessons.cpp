@@ -128,12 +128,12 @@ Declared declare_animate(CLI::App& root) {
     struct Given {
         AnimateCommand command;
         std::string output, size{text_of(command.size)}, context{"auto"},
-            fps = std::to_string(command.frames_per_second), seconds{"4"};
+            fps = std::to_string(command.frames_per_second), seconds, subtitles;
     };
     const auto given = std::make_shared<Given>();
     CLI::App& app = *root.add_subcommand("animate", "Draw a lesson as a video, with its captions");
     set_up(app,
-           "  normalscope animate 1-normal-as-a-point -o lesson.mp4\n"
+           "  normalscope animate 1-normal-as-a-point -o lesson.mp4 --subtitles lesson.vtt\n"
            "  normalscope animate mine.json -o frames/ --size 640x360 --fps 10");
     add_lesson(app, given->command.lesson);
     add(app, "-o,--output", given->output, "OUT",
@@ -142,15 +142,19 @@ Declared declare_animate(CLI::App& root) {
         .required();
     add(app, "--size", given->size, "WIDTHxHEIGHT", "In pixels");
     add(app, "--fps", given->fps, "N", "Pictures per second");
-    add(app, "--seconds", given->seconds, "N", "How long each step stands still, 1 to 60");
+    CLI::Option& seconds = add(app, "--seconds", given->seconds, "N",
+                               "How long each step stands still, 1 to 60 [as long as its words take to read]");
+    CLI::Option& subtitles =
+        add(app, "--subtitles", given->subtitles, "OUT.vtt", "Write what is said, and when; or OUT.srt");
     add_context(app, given->context);
-    return {&app, [given] {
+    return {&app, [given, &seconds, &subtitles] {
                 AnimateCommand command = given->command;
                 command.output = parse_numbered_output("--output", given->output, 2, 1);
                 command.size = parse_size("--size", given->size);
                 command.context = parse_context("--context", given->context);
                 command.frames_per_second = parse_count("--fps", given->fps, 60);
-                command.seconds = parse_count("--seconds", given->seconds, 60);
+                if (seconds.count() > 0) command.seconds = parse_count("--seconds", given->seconds, 60);
+                if (subtitles.count() > 0) command.subtitles = parse_subtitles_output("--subtitles", given->subtitles);
                 return command;
             }};
 }

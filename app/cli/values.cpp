@@ -153,6 +153,13 @@ std::filesystem::path parse_file_output(const std::string& option, const std::st
     return output.file;
 }
 
+std::filesystem::path parse_subtitles_output(const std::string& option, const std::string& text) {
+    const std::filesystem::path file = parse_file_output(option, text);
+    if (file.extension() != ".vtt" && file.extension() != ".srt")
+        fail(option, text, "expected a name that ends in .vtt or .srt");
+    return file;
+}
+
 std::pair<std::size_t, std::size_t> parse_shard(const std::string& option, const std::string& text) {
     constexpr int kMost = 10'000;
     const auto slash = text.find('/');

@@ -28,6 +28,8 @@ Output parse_picture_output(const std::string& option, const std::string& text);
 Output parse_output(const std::string& option, const std::string& text);
 /// What cannot go to standard output, where results are printed.
 std::filesystem::path parse_file_output(const std::string& option, const std::string& text);
+/// What ends in .vtt or .srt.
+std::filesystem::path parse_subtitles_output(const std::string& option, const std::string& text);
 /// "2/5"
 std::pair<std::size_t, std::size_t> parse_shard(const std::string& option, const std::string& text);
 

@@ -60,7 +60,7 @@ struct Studio::Equipment {
     PixelRect open_interface(const Scene& scene, const CaptureOptions& options, float scale) {
         gui.reset();
         new_gui();
-        if (options.lesson) gui->interface.record_lesson(options.lesson, scene, options.step);
+        if (options.lesson) gui->interface.record_lesson(options.lesson, scene, options.step, options.answer);
         gui->interface.prepare(scene.theme, scale);
         if (!options.lesson && !gui->interface.show_tab(options.tab)) throw UsageError(unknown_tab(options.tab));
         return gui->interface.picture(options.size);

@@ -27,7 +27,8 @@ struct CaptureOptions {
     /// With a lesson: what its step says, below the picture, as in presenter mode.
     std::shared_ptr<const Lesson> lesson{};
     std::size_t step = 0;
-    std::optional<DerivationAt> line{};  ///< of the derivation, whose arrows are shown
+    std::optional<std::size_t> answer{};  ///< the choice that has been made of its question
+    std::optional<DerivationAt> line{};   ///< of the derivation, whose arrows are shown
 };
 
 struct Capture {

@@ -89,7 +89,9 @@ public:
     /// Goes through a lesson, from `step` or from where it was left.
     void open_lesson(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::optional<std::size_t> step = {});
     /// The same for a picture of a step: nothing moves, and there is nothing to press.
-    void record_lesson(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::size_t step);
+    /// `answer`: the choice that is made of its question, or none yet.
+    void record_lesson(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::size_t step,
+                       std::optional<std::size_t> answer);
     /// The lesson, the exercises, and how they are shown in a room.
     Lecture& lecture();
     const Lecture& lecture() const;

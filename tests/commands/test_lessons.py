@@ -273,6 +273,37 @@ class AnimateTest(CommandTest):
         self.assertEqual(len(set(pictures[18:])), 1)
         self.assertEqual(len(set(pictures[9:19])), 10)
 
+    def film(self, *steps, arguments=()):
+        """The pictures of these steps, one a second, and their subtitles as (from, to, words)."""
+        lesson = self.file("film.json", json.dumps({"lesson": "Film", "steps": steps}))
+        subtitles = self.folder / "film.vtt"
+        shutil.rmtree(self.out)
+        self.assert_done("animate", lesson, "-o", self.out / "%03d.png", *SMALL, "--fps", 1, "--subtitles", subtitles, *arguments)
+        found = re.findall(r"^\d+\n(\d\d):(\d\d):(\d\d\.\d{3}) --> (\d\d):(\d\d):(\d\d\.\d{3})\n(.*)\n\n", subtitles.read_text(), re.M)
+        seconds = lambda h, m, s: 3600 * int(h) + 60 * int(m) + float(s)
+        return ([(self.out / name).read_bytes() for name in self.names()],
+                [(seconds(*cue[:3]), seconds(*cue[3:6]), cue[6]) for cue in found])
+
+    def test_a_step_stands_as_long_as_its_words_take_to_read(self):
+        words = "word " * 17 + "word."  # 90 characters: 6 s
+        pictures, cues = self.film({"caption": words}, {"caption": "a < b."}, {"caption": "c", "seconds": 9})
+        self.assertEqual(cues, [(0, 6, words), (6, 9, "a &lt; b."), (9, 18, "c")])
+        self.assertEqual(len(pictures), 18)
+        self.assertEqual(self.film({"caption": "One. Two."}, arguments=("--seconds", 2))[1], [(0, 0.889, "One."), (0.889, 2, "Two.")])
+
+    def test_a_question_waits_and_is_answered(self):
+        question = {"ask": "Which?", "choices": [{"text": "one", "because": "No."}, {"text": "two", "right": True, "because": "So it is."}]}
+        pictures, cues = self.film({"caption": "a", "question": question}, {"caption": "b"})
+        self.assertEqual(cues[-2:], [(8.857, 11, "So it is."), (11, 14, "b")])
+        self.assertEqual([len(set(pictures[a:b])) for a, b in ((0, 8), (8, 11), (0, 11))], [1, 1, 2])
+
+    def test_what_asks_for_a_mouse_is_left_out(self):
+        plain = self.film({"caption": "a"})[0]
+        self.assertEqual(self.film({"caption": "a", "try": "Drag."})[0], plain)
+        self.assertNotEqual(self.film({"caption": "a", "look_at": "Look."})[0], plain)
+        self.assertNotIn("Drag.", self.assert_done("handout", self.file("try.json", json.dumps(
+            {"lesson": "Try", "steps": [{"caption": "a", "try": "Drag."}]})), "-o", "-", *SMALL).decode())
+
     @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")
     def test_videos(self):
         for name, magic in (("v.gif", b"GIF89a"), ("v.mp4", b"ftyp"), ("v.webm", b"\x1aE\xdf\xa3")):
@@ -297,6 +328,8 @@ class AnimateTest(CommandTest):
     def test_errors(self):
         self.assert_fails(2, "animate", self.lesson, "-o", self.out / "v.avi", says="--output")
         self.assert_fails(2, "animate", self.lesson, "-o", self.out / "v.gif", "--fps", 0, says="--fps")
+        self.assert_fails(2, "animate", self.lesson, "-o", self.out / "v.gif", "--subtitles", self.out / "v.txt", says=".vtt or .srt")
+        self.assert_fails(2, "animate", self.lesson, "-o", self.out / "v.vtt", "--subtitles", self.out / "v.vtt", says="--output")
         self.assert_fails(3, "animate", "none", "-o", self.out / "v.gif", says=LESSONS[0].stem)
         self.assert_fails(3, "animate", self.lesson, "-o", self.out / "v.gif", env={"PATH": "/none"},
                           says="install the package ffmpeg")

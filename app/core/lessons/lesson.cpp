@@ -108,6 +108,9 @@ LessonStep read_step(const Json& json, const JsonPath& path, const Scene& before
         step.equations = read_equations(*equations, object.at("equations"));
     if (const Json* tab = object.find("tab")) step.tab = read_tab(*tab, object.at("tab"));
     if (const Json* line = object.find("derivation")) step.line = read_line(*line, object.at("derivation"));
+    step.to_try = words_if_any(object, "try", kLongestNote);
+    if (const Json* seconds = object.find("seconds"))
+        read_value(*seconds, object.at("seconds"), step.seconds.emplace(), Range{1, 600});
     step.notes = words_if_any(object, "notes", kLongestNotes);
     if (const Json* question = object.find("question")) step.question = read_question(*question, object.at("question"));
     if (const Json* numbers = object.find("numbers")) step.numbers = read_numbers(*numbers, object.at("numbers"));

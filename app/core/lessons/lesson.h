@@ -33,6 +33,8 @@ struct LessonStep {
     std::vector<std::string> equations;  ///< in a line each; "n_obj", "n_world" and the like are set as symbols
     std::string tab;                     ///< what is opened beside the picture; may be empty
     std::optional<std::size_t> line;     ///< of the derivation, from 0, whose arrows stand in the picture
+    std::string to_try;                  ///< what asks for a hand on the mouse: said in the window alone
+    std::optional<double> seconds;       ///< that it stands in a video; empty: as long as its words take to read
     std::string notes;                   ///< for whoever teaches, never for a room
     std::optional<Question> question;
     /// What the caption claims: a dotted path in `--numbers` and its value. The tests hold it against the scene.

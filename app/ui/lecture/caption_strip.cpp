@@ -149,6 +149,14 @@ float draw_ways(const Look& look, const StripState& state, float right, StripReq
         if (text_button(look, action.label, action.about, action.enabled, x)) requests.action = i;
     }
     if (state.count == 0) return x;
+    const std::string where = std::to_string(state.number + 1) + " of " + std::to_string(state.count);
+    const float wide = ImGui::CalcTextSize(where.c_str()).x;
+    const auto tell_where = [&](float at) {
+        ImGui::SetCursorPos({at, look.px(4) + std::round((side - ImGui::GetTextLineHeight()) / 2)});
+        ImGui::TextUnformatted(where.c_str());
+        return at;
+    };
+    if (state.recorded) return tell_where(x - wide - look.px(kPad - 10));
     x -= side + look.px(6);
     ImGui::SetCursorPos({x, look.px(4)});
     const bool more = state.number + 1 < state.count;
@@ -157,11 +165,7 @@ float draw_ways(const Look& look, const StripState& state, float right, StripReq
                      .about = more ? "Next step (Page Down, right arrow)" : "Next lesson (Page Down, right arrow)",
                      .enabled = more || state.goes_on}))
         requests.next = true;
-    const std::string where = std::to_string(state.number + 1) + " of " + std::to_string(state.count);
-    const float wide = ImGui::CalcTextSize(where.c_str()).x;
-    x -= wide + look.px(4);
-    ImGui::SetCursorPos({x, look.px(4) + std::round((side - ImGui::GetTextLineHeight()) / 2)});
-    ImGui::TextUnformatted(where.c_str());
+    x = tell_where(x - wide - look.px(4));
     x -= side + look.px(4);
     ImGui::SetCursorPos({x, look.px(4)});
     if (icon_button(look, "##previous",
@@ -184,7 +188,10 @@ void draw_progress(const Look& look, const StripState& state, ImVec2 low, float 
 
 }  // namespace
 
-Speech speech_of(const LessonStep& step) { return {step.caption, step.look_at, step.equations, step.question}; }
+Speech speech_of(const LessonStep& step) {
+    const bool both = !step.look_at.empty() && !step.to_try.empty();
+    return {step.caption, step.look_at + (both ? " " : "") + step.to_try, step.equations, step.question};
+}
 
 float CaptionStrip::height(const Look& look, std::span<const Speech> speeches, float width, float most) {
     if (!measured_ || measured_->width != width || !std::ranges::equal(measured_->speeches, speeches)) {
@@ -223,7 +230,11 @@ StripRequests CaptionStrip::draw(const Look& look, const Speech& speech, const S
     column.put(caption_box(look, speech.caption, width));
     for (const std::string& line : speech.equations) column.put(equation_box(look, line, width));
     if (!speech.look_at.empty()) column.put(note_box(look, speech.look_at, width, Ink::Dim));
-    if (speech.question) draw_question(look, *speech.question, state, width, column, requests);
+    if (speech.question) {
+        ImGui::PushStyleColor(ImGuiCol_Button, state.recorded ? ImVec4{} : ImGui::GetStyleColorVec4(ImGuiCol_Button));
+        draw_question(look, *speech.question, state, width, column, requests);
+        ImGui::PopStyleColor();
+    }
     ImGui::SetCursorScreenPos(origin);
     ImGui::Dummy({1, column.at().y - origin.y});
     ImGui::EndChild();

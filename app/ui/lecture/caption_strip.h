@@ -34,6 +34,7 @@ struct StripState {
     bool closes = false;                ///< it can be left
     bool goes_on = false;               ///< after the last step, too
     std::vector<StripAction> actions;
+    bool recorded = false;  ///< a picture of it is made: there is nothing to press
 };
 struct StripRequests {
     bool next = false, previous = false, again = false, close = false;

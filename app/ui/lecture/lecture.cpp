@@ -177,7 +177,8 @@ void Lecture::draw(const Look& look, Scene& scene, ImVec2 strip_low, ImVec2 stri
                  player.strayed(scene) && !recorded,
                  !recorded,
                  next.has_value(),
-                 {}};
+                 {},
+                 recorded};
     Speech speech = player.running() ? all[player.number()] : all.front();
     if (announced_ != Announced::Nothing)
         if (const auto lesson = announced_ == Announced::Next ? next_lesson() : previous_lesson())
