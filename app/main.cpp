@@ -4,6 +4,7 @@
 #include "core/base/system.h"
 #include "core/base/utf8.h"
 #include "core/lessons/open.h"
+#include "core/lessons/shelf.h"
 #include "core/scene/setting.h"
 #include "desktop/desktop.h"
 #include "platform/console.h"
@@ -17,12 +18,13 @@ namespace normalscope {
 namespace {
 
 int run(const ViewCommand& command) {
+    std::vector<std::filesystem::path> folders = lesson_folders(command.lesson_folders);
     Opened first{.file = "", .scene = load_scene(std::string(kDefaultScene))};
     if (command.file) first = read_file(*command.file, first.scene);
     for (const std::string& setting : command.settings) first.scene = with_setting(first.scene, setting);
     prepare(first);
     leave_own_console();
-    run_viewer(std::move(first));
+    run_viewer(std::move(first), std::move(folders));
     return 0;
 }
 

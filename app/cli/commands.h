@@ -22,6 +22,7 @@ namespace normalscope {
 struct ViewCommand {
     std::optional<std::string> file;    ///< a scene, a mesh, a lesson, or the name of a built-in one
     std::vector<std::string> settings;  ///< PATH=VALUE, for with_setting
+    std::vector<std::string> lesson_folders;
 };
 
 /// What is drawn, and how: for the commands that draw without a window.
@@ -69,7 +70,8 @@ struct ScenesCommand {};
 
 /// `normalscope lessons [--check FILE...]`
 struct LessonsCommand {
-    std::vector<std::string> files;  ///< to be checked; none: the built-in ones are listed
+    std::vector<std::string> files;  ///< to be checked; none: all that there are are listed
+    std::vector<std::string> lesson_folders;
     ContextChoice context = ContextChoice::Auto;
 };
 

@@ -55,6 +55,10 @@ void add_settings(CLI::App& app, std::vector<std::string>& value) {
              "Change the scene: a dotted path and a JSON value, where a bare word is a string; may be given again");
 }
 
+void add_lesson_folders(CLI::App& app, std::vector<std::string>& value) {
+    add_list(app, "--lessons", value, "FOLDER", "Lessons of your own, to be listed too; may be given again");
+}
+
 void add_context(CLI::App& app, std::string& value) {
     add(app, "--context", value, "KIND",
         "What draws: osmesa (software), egl (a graphics processor, or software), or auto: osmesa where it is "

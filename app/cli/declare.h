@@ -36,6 +36,7 @@ CLI::Option& add_list(CLI::App& app, const std::string& name, std::vector<std::s
 CLI::Option& add_file(CLI::App& app, std::string& value);
 void add_settings(CLI::App& app, std::vector<std::string>& value);
 
+void add_lesson_folders(CLI::App& app, std::vector<std::string>& value);
 void add_context(CLI::App& app, std::string& value);
 void add_jobs(CLI::App& app, std::string& value);
 int parse_jobs(const std::string& text);

@@ -23,7 +23,7 @@ Declared declare_lessons(CLI::App& root) {
         std::string context{"auto"};
     };
     const auto given = std::make_shared<Given>();
-    CLI::App& app = *root.add_subcommand("lessons", "List the built-in lessons, or check some of your own");
+    CLI::App& app = *root.add_subcommand("lessons", "List the lessons, or check some of your own");
     set_up(app,
            "  normalscope lessons\n"
            "  normalscope 1-normal-as-a-point                       the window, in this lesson\n"
@@ -33,6 +33,7 @@ Declared declare_lessons(CLI::App& root) {
              "Lessons whose numbers are computed, and whose words are measured, at 1024x768 to 3840x2160; exit code 1 "
              "with the step where something is wrong")
         .allow_extra_args();
+    add_lesson_folders(app, given->command.lesson_folders);
     add_context(app, given->context);
     return {&app, [given] {
                 LessonsCommand command = given->command;

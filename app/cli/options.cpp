@@ -29,6 +29,7 @@ Declared declare_view(CLI::App& root) {
            "  normalscope capture split -o out.png   a picture, without a window");
     CLI::Option& given = add_file(root, *file);
     add_settings(root, command->settings);
+    add_lesson_folders(root, command->lesson_folders);
     return {&root, [=, &given] {
                 if (given.count() > 0) command->file = *file;
                 return *command;

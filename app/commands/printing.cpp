@@ -5,8 +5,9 @@
 #include "core/base/output.h"
 #include "core/base/utf8.h"
 #include "core/explain/explanation.h"
-#include "core/lessons/lesson.h"
 #include "core/lessons/open.h"
+#include "core/lessons/shelf.h"
+#include "platform/console.h"
 
 #include <algorithm>
 #include <string>
@@ -34,7 +35,11 @@ int print_list(const List& list) {
 
 int run(const ScenesCommand&) { return print_list(built_in_scenes()); }
 int run(const LessonsCommand& command) {
-    return command.files.empty() ? print_list(built_in_lessons()) : check_lessons(command);
+    if (!command.files.empty()) return check_lessons(command);
+    const LessonShelf shelf = lessons_on_shelf(lesson_folders(command.lesson_folders));
+    print_list(shelf.lessons);
+    for (const std::string& line : shelf.troubles) tell_error("normalscope: " + in_one_line(line));
+    return shelf.troubles.empty() ? 0 : 3;
 }
 int run(const ExplainCommand& command) {
     return printed(explain(subject_of(command.file, command.settings).scene, command.format));

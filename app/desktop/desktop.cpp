@@ -22,7 +22,9 @@ namespace {
 /// The viewer in a window of GLFW's, drawn by GL.
 class Desktop final : public Host {
 public:
-    explicit Desktop(Opened first) : viewer_(*this, std::move(first), remembered()) {
+    Desktop(Opened first, std::vector<std::filesystem::path> lesson_folders)
+        : viewer_(*this, std::move(first), remembered()) {
+        viewer_.take_lessons_from(std::move(lesson_folders));
         window_.choose_monitor(settings_.monitor);
         connect();
     }
@@ -147,6 +149,8 @@ void Desktop::connect() {
 
 }  // namespace
 
-void run_viewer(Opened first) { Desktop(std::move(first)).run(); }
+void run_viewer(Opened first, std::vector<std::filesystem::path> lesson_folders) {
+    Desktop(std::move(first), std::move(lesson_folders)).run();
+}
 
 }  // namespace normalscope

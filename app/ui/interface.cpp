@@ -114,6 +114,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
                     .help = s.help,
                     .unfolded = s.unfolded,
                     .asking = s.lecture.asking(),
+                    .shelf = s.lecture.shelf.lessons,
                     .progress = s.lecture.progress});
     if (!s.lecture.exercises.running())
         draw_side_panel(scene, tabs, s.side, {.look = s.look, .frame = frame, .status = status},
@@ -165,6 +166,9 @@ std::optional<Highlight> Interface::highlighted() const { return state_->derivat
 void Interface::highlight(const std::optional<Highlight>& in_picture) { state_->derivation.highlight(in_picture); }
 
 void Interface::show_error(std::string_view line) { state_->messages.show_error(line); }
+void Interface::take_back(std::string_view line) {
+    if (state_->messages.text() == line) state_->messages.dismiss();
+}
 void Interface::show_note(std::string_view line) { state_->messages.show_note(line); }
 std::string_view Interface::message() const { return state_->messages.text(); }
 double Interface::redraw_after() const { return std::min(state_->wake, state_->messages.redraw_after()); }

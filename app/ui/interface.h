@@ -49,6 +49,8 @@ public:
 
     /// One line that the user must see, such as why a file was refused; shown until dismissed or replaced.
     void show_error(std::string_view line);
+    /// Takes such a line away: what it said is so no more.
+    void take_back(std::string_view line);
     /// One line that may go by itself, such as "Saved …".
     void show_note(std::string_view line);
     /// The line that is shown now; empty if none.

@@ -90,7 +90,8 @@ void Viewer::end_greeting() {
 
 double Viewer::due() const {
     if (frames_wanted_ > 0 || swing_ || carrying_since_) return 0.0;
-    const double wait = std::max(wake_at() - host_.now(), 0.0);
+    double wait = std::max(wake_at() - host_.now(), 0.0);
+    if (lesson_is_watched()) wait = std::min(wait, std::max(watch_.due() - host_.now(), 0.0));
     return opening_ ? std::min(wait, kLookForFile) : wait;
 }
 
@@ -99,6 +100,7 @@ void Viewer::step() {
     if (!swinging()) swing_.reset();
     if (carrying_since_ && host_.now() - *carrying_since_ >= kCarrying) carrying_since_.reset();
     finish_opening();
+    watch_lesson();
     if (host_.now() >= wake_at()) frames_wanted_ = std::max(frames_wanted_, 1);
     if (frames_wanted_ == 0) return;
     --frames_wanted_;
@@ -244,6 +246,7 @@ void Viewer::obey(const Requests& requests) {
     if (requests.copy_equations) copy_equations();
     if (requests.quit) close();
     if (requests.reply) obey(*requests.reply);
+    if (requests.list_lessons) list_lessons();
     if (requests.open) open(*requests.open);
     if (requests.open_mesh) open(*requests.open_mesh);
     try {

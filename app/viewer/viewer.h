@@ -5,6 +5,7 @@
 #include "core/surface/level_sets.h"
 #include "viewer/document.h"
 #include "viewer/errors_cache.h"
+#include "viewer/file_watch.h"
 #include "viewer/gui.h"
 #include "viewer/host.h"
 #include "viewer/key_press.h"
@@ -54,6 +55,9 @@ public:
     double due() const;
     /// Something is being read in the background.
     bool opening() const { return static_cast<bool>(opening_); }
+
+    /// Where the user keeps lessons, to be listed behind the built-in ones.
+    void take_lessons_from(std::vector<std::filesystem::path> folders);
 
     /// For a picture by itself, as in a page of others.
     void show_panel(bool shown);
@@ -131,6 +135,13 @@ private:
     /// To the next state that can be drawn.
     void undo(Direction direction);
 
+    // Lessons of the user's own: own_lessons.cpp
+    void list_lessons();
+    /// Whether the open lesson has a file.
+    bool lesson_is_watched() const { return in_lesson() && !is_built_in_lesson(document_.file()); }
+    /// Reads the lesson again where somebody has written to its file.
+    void watch_lesson();
+
     // What comes in and goes out: exchange.cpp
     void finish_opening();
     void take(Opened opened);
@@ -176,6 +187,10 @@ private:
     Pointer pointer_;
     glm::dvec2 pointer_at_{0.0};
     Beside<Opened> opening_;
+
+    std::vector<std::filesystem::path> lesson_folders_;
+    FileWatch watch_;              ///< of the open lesson
+    std::string watch_complaint_;  ///< why it could not be read again
 
     int frames_wanted_;
     double laid_out_at_;  ///< by the host's clock

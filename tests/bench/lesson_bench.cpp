@@ -120,7 +120,7 @@ int main(int count, char** arguments) {
     context->make_current();
     std::printf("{");
     bool first = true;
-    for (const BuiltInLesson& lesson : built_in_lessons()) {
+    for (const ListedLesson& lesson : built_in_lessons()) {
         if (count > 1 && lesson.name != arguments[1]) continue;
         const Took plain = measure(lesson.name, false);
         std::printf("%s\"%s\": {\"opening_ms\": %.1f", first ? "" : ", ", lesson.name.c_str(), plain.opening);

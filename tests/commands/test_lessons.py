@@ -53,6 +53,29 @@ class LessonsTest(CommandTest):
         text = self.assert_done("lessons").decode()
         self.assertEqual([line.split()[0] for line in text.splitlines()], [lesson.stem for lesson in LESSONS])
 
+    def test_lessons_of_ones_own(self):
+        data = self.folder / "data/normalscope/lessons"
+        data.mkdir(parents=True)
+        env = {"XDG_DATA_HOME": str(self.folder / "data")}
+        def lesson(name, about):
+            return self.file(name, json.dumps({"lesson": "L", "about": about, "steps": [{"caption": "a"}]}))
+        (self.folder / "own").mkdir()
+        lesson("data/normalscope/lessons/first.json", "of the user")
+        lesson("own/second.json", "of a course")
+        self.scene().rename(self.folder / "own/scene.json")
+        def listed(*arguments, **options):
+            return [line.split()[0] for line in run("lessons", *arguments, env=env, **options).stdout.decode().splitlines()]
+        built_in = [lesson.stem for lesson in LESSONS]
+        self.assertEqual(listed(), [*built_in, str(data / "first.json")])
+        own = self.folder / "own"
+        self.assertEqual(listed("--lessons", own), [*built_in, str(own / "second.json"), str(data / "first.json")])
+        self.file("own/broken.json", '{"lesson": "B",\n "steps": []}')
+        done = run("lessons", "--lessons", own, env=env)
+        self.assertEqual((done.returncode, len(done.stdout.splitlines())), (3, len(built_in) + 2))
+        self.assertRegex(done.stderr.decode(), r"\Anormalscope: [^\n]*broken.json, line 2: steps: expected [^\n]*\n\Z")
+        self.assert_fails(3, "lessons", "--lessons", self.folder / "none", says="--lessons wants one", env=env)
+        self.assert_fails(3, "--lessons", self.folder / "none", says="--lessons wants one", env=env)
+
     def test_lessons_are_checked(self):
         self.assertIn(b"10 steps, all is well", self.assert_done("lessons", "--check", LESSONS[0].stem))
         steps = [{"caption": "a", "scene": {"stack": [{"scale": [1, 2, 1]}]}, "numbers": {"error_degrees.bound": 40, "condition": 2}},

@@ -168,7 +168,7 @@ TEST_F(InterfaceTest, ALessonsWordsFitTheirStrip) {
     for (const glm::ivec2 size : {glm::ivec2(1024, 768), glm::ivec2(1280, 720), glm::ivec2(1920, 1080)})
         for (const bool presenting : {false, true}) {
             const float share = std::min(static_cast<float>(size.x) / 1920.0f, static_cast<float>(size.y) / 1080.0f);
-            for (const BuiltInLesson& lesson : built_in_lessons()) {
+            for (const ListedLesson& lesson : built_in_lessons()) {
                 interface_.lecture().present(presenting);
                 interface_.open_lesson(std::make_shared<const Lesson>(load_lesson(lesson.name)), Scene{}, 0);
                 interface_.prepare(Theme::Light, presenting ? 28.0f / 13.0f * share : 1.0f);
@@ -184,7 +184,7 @@ TEST_F(InterfaceTest, EveryLetterOfALessonIsThere) {
     Lesson lesson{.name = "mine", .title = "Ж", .about = {}, .steps = {}};
     lesson.steps.push_back({.scene = {}, .caption = "Ψ∮", .look_at = "ł", .equations = {"o′ = Ω"}});
     std::vector<Lesson> lessons{lesson};
-    for (const BuiltInLesson& built_in : built_in_lessons()) lessons.push_back(load_lesson(built_in.name));
+    for (const ListedLesson& built_in : built_in_lessons()) lessons.push_back(load_lesson(built_in.name));
     for (const Lesson& each : lessons) {
         interface_.open_lesson(std::make_shared<const Lesson>(each), Scene{}, 0);
         interface_.prepare(Theme::Light, 1.0f);

@@ -146,6 +146,74 @@ TEST_F(LessonsTest, ALessonsOwnFileIsNotOverwritten) {
     EXPECT_EQ(read_file(path("lesson.json"), 1 << 16), lesson);
 }
 
+std::string lesson_text(const std::string& title, std::initializer_list<double> heights) {
+    std::string steps;
+    for (const double height : heights)
+        steps += (steps.empty() ? "" : ", ") +
+                 std::string(R"({"caption": "A step.", "scene": {"stack": [{"scale": [1, )") + std::to_string(height) +
+                 ", 1]}]}}";
+    return R"({"normalscope": 1, "lesson": ")" + title + R"(", "steps": [)" + steps + "]}";
+}
+
+TEST_F(LessonsTest, AFileIsReadAgainWhereOneStands) {
+    const auto file = write("mine.json", lesson_text("L", {1, 2, 3}));
+    start_lesson(file.string() + "#2");
+    const auto shown = [&] { return std::get<Scale>(scene().stack.at(0)).factors.y; };
+    wait(3);
+    EXPECT_EQ(message(), "");
+    const std::size_t drawn = host_.drawn.size();
+    wait(10);
+    EXPECT_EQ(host_.drawn.size(), drawn) << "nothing has changed";
+
+    write("mine.json", lesson_text("L", {1, 2.5, 3, 4}));
+    wait(3);
+    EXPECT_EQ(shown(), 2.5);
+    EXPECT_EQ(step(), 1u);
+    EXPECT_EQ(lecture().player.lesson().steps.size(), 4u);
+
+    write("mine.json", R"({"normalscope": 1, "lesson": "L",
+        "steps": [{"caption": "A step.", "scene": {"colour": 1}}]})");
+    wait(3);
+    EXPECT_EQ(shown(), 2.5);
+    EXPECT_NE(message().find("mine.json, line 2, step 1: scene.colour: unknown key"), std::string::npos) << message();
+    EXPECT_NE(message().find("what you see is the lesson as it was"), std::string::npos) << message();
+
+    write("mine.json", lesson_text("L", {5}));  // the step is gone
+    wait(3);
+    EXPECT_EQ(shown(), 5.0);
+    EXPECT_EQ(message(), "Read mine.json again");
+}
+
+TEST_F(LessonsTest, LessonsOfOnesOwnLeadToOneAnother) {
+    write("own/a.json", lesson_text("A", {1}));
+    write("own/b.json", "{");
+    write("own/c.json", lesson_text("C", {1, 2}));
+    write("own/scene.json", "{\"normalscope\": 1}");
+    start_lesson("8-bug-gallery#1");
+    viewer().take_lessons_from({folder_.path() / "own"});
+    settle();
+    EXPECT_NE(message().find("b.json: not valid JSON"), std::string::npos) << message();
+    EXPECT_EQ(lecture().shelf.lessons.size(), built_in_lessons().size() + 2);
+    keys({ImGuiKey_End, ImGuiKey_PageDown, ImGuiKey_PageDown});
+    EXPECT_EQ(named(), "a.json");
+    keys({ImGuiKey_PageDown, ImGuiKey_PageDown});
+    EXPECT_EQ(named(), "c.json");
+    keys({ImGuiKey_PageUp, ImGuiKey_PageUp});
+    EXPECT_EQ(named(), "a.json");
+    keys({ImGuiKey_PageUp, ImGuiKey_PageUp});
+    EXPECT_EQ(named(), "8-bug-gallery");
+}
+
+TEST_F(LessonsTest, TheMenuListsWhatThereIsByNow) {
+    start();
+    viewer().take_lessons_from({folder_.path()});
+    write("late.json", lesson_text("Late", {1, 2}));
+    click(Item("##panel/##always") / "Learn");
+    EXPECT_EQ(lecture().shelf.lessons.back().title, "Late");
+    click(Item("##Popup") / path("late.json").c_str() / "Late");
+    EXPECT_EQ(named(), "late.json");
+}
+
 TEST_F(LessonsTest, Presenting) {
     start();
     const Scene before = scene();
@@ -237,7 +305,7 @@ TEST_F(LessonsTest, AMeshOpenedInAnExerciseHasTheEarlierScene) {
 }
 
 TEST_F(LessonsTest, AQuestionIsAnsweredByItsNumber) {
-    for (const BuiltInLesson& built_in : built_in_lessons()) {
+    for (const ListedLesson& built_in : built_in_lessons()) {
         const Lesson lesson = load_lesson(built_in.name);
         for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
             if (!lesson.steps[i].question) continue;

@@ -29,6 +29,8 @@ void set_variable(const char* name, const std::optional<std::string>& value);
 std::filesystem::path home_folder();
 /// The folder in which programs keep what they remember, this one's within it. Empty where there is none.
 std::filesystem::path settings_folder_of(const char* program);
+/// The same for what users have programs use.
+std::filesystem::path data_folder_of(const char* program);
 
 /// As std::fopen; errno says why there is none.
 std::FILE* open_file(const std::filesystem::path& file, const char* mode);

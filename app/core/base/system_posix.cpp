@@ -58,6 +58,12 @@ std::filesystem::path settings_folder_of(const char* program) {
     return home.is_absolute() ? home / ".config" / program : std::filesystem::path();
 }
 
+std::filesystem::path data_folder_of(const char* program) {
+    const std::filesystem::path data = variable("XDG_DATA_HOME"), home = home_folder();
+    if (data.is_absolute()) return data / program;
+    return home.is_absolute() ? home / ".local" / "share" / program : std::filesystem::path();
+}
+
 std::FILE* open_file(const std::filesystem::path& file, const char* mode) { return std::fopen(file.c_str(), mode); }
 std::FILE* create_file(const std::filesystem::path& file) { return std::fopen(file.c_str(), "wbx"); }
 

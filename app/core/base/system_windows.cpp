@@ -99,6 +99,8 @@ std::filesystem::path settings_folder_of(const char* program) {
     return folder.is_absolute() ? folder / program : std::filesystem::path();
 }
 
+std::filesystem::path data_folder_of(const char* program) { return settings_folder_of(program); }
+
 std::FILE* open_file(const std::filesystem::path& file, const char* mode) {
     return ::_wfopen(file.c_str(), wide(mode).c_str());
 }

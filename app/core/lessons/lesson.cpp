@@ -180,9 +180,9 @@ Lesson parse_lesson(const LessonSource& source) {
     }
 }
 
-const std::vector<BuiltInLesson>& built_in_lessons() {
-    static const std::vector<BuiltInLesson> lessons = [] {
-        std::vector<BuiltInLesson> list;
+const std::vector<ListedLesson>& built_in_lessons() {
+    static const std::vector<ListedLesson> lessons = [] {
+        std::vector<ListedLesson> list;
         for (const std::string_view file : embedded::names()) {
             if (!file.starts_with(kLessonFolder) || !file.ends_with(".json")) continue;
             const std::string name(file.substr(kLessonFolder.size(), file.size() - kLessonFolder.size() - 5));
@@ -190,7 +190,7 @@ const std::vector<BuiltInLesson>& built_in_lessons() {
             const Json head = Json::parse(*embedded::file(file), nullptr, false);
             list.push_back({name, head.value("lesson", name), head.value("about", ""), head["steps"].size()});
         }
-        std::ranges::sort(list, {}, &BuiltInLesson::name);
+        std::ranges::sort(list, {}, &ListedLesson::name);
         return list;
     }();
     return lessons;

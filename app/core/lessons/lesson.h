@@ -61,12 +61,12 @@ Lesson parse_lesson(const LessonSource& source);
 /// The same of the text's JSON, where somebody has that already.
 Lesson lesson_of_json(const nlohmann::ordered_json& json, const LessonSource& source);
 
-struct BuiltInLesson {
+struct ListedLesson {
     std::string name, title, about;
     std::size_t steps = 0;
 };
 /// Those in assets/lessons, in their order.
-const std::vector<BuiltInLesson>& built_in_lessons();
+const std::vector<ListedLesson>& built_in_lessons();
 
 bool is_built_in_lesson(const std::string& name);
 /// Of the name of one.

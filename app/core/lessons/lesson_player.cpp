@@ -29,6 +29,12 @@ void LessonPlayer::start(std::shared_ptr<const Lesson> lesson, std::size_t step,
     go_to(std::min(step, lesson_->steps.size() - 1), scene);
 }
 
+void LessonPlayer::replace(std::shared_ptr<const Lesson> lesson, const Scene& scene) {
+    lesson_ = std::move(lesson);
+    answers_.resize(lesson_->steps.size());
+    go_to(std::min(step_, lesson_->steps.size() - 1), scene);
+}
+
 void LessonPlayer::go_to(std::size_t step, const Scene& scene) {
     if (!running() || step >= lesson_->steps.size()) return;
     step_ = step;

@@ -49,7 +49,7 @@ std::string names_like(std::string_view wanted) {
 
 std::string lesson_names() {
     std::vector<std::string> names;
-    for (const BuiltInLesson& lesson : built_in_lessons()) names.push_back(lesson.name);
+    for (const ListedLesson& lesson : built_in_lessons()) names.push_back(lesson.name);
     return joined(names);
 }
 
@@ -155,7 +155,7 @@ Lesson load_lesson(const std::string& name) {
 std::vector<Lesson> load_lessons(const std::string& name) {
     if (name != "all") return {load_lesson(name)};
     std::vector<Lesson> lessons;
-    for (const BuiltInLesson& each : built_in_lessons()) lessons.push_back(built_in_lesson(each.name));
+    for (const ListedLesson& each : built_in_lessons()) lessons.push_back(built_in_lesson(each.name));
     return lessons;
 }
 

@@ -29,6 +29,7 @@ struct Requests {
     bool copy_frame = false;               ///< HTML that shows it in another page
     std::optional<std::string> open;       ///< a scene, a mesh, a lesson, or the name of a built-in one
     std::optional<std::string> open_mesh;  ///< a mesh as the scene's surface, all else kept
+    bool list_lessons = false;             ///< there may be others by now
     bool save = false;                     ///< to the open file, or to one that is asked for
     std::optional<std::filesystem::path> save_scene;
     std::optional<std::filesystem::path> save_picture;

@@ -1,6 +1,5 @@
 #include "ui/lecture/lecture.h"
 
-#include "core/lessons/open.h"
 #include "core/lessons/scene_caption.h"
 
 #include <imgui.h>
@@ -27,6 +26,11 @@ void Lecture::start(std::shared_ptr<const Lesson> lesson, const Scene& scene, st
     if (!player.running() || player.lesson().name != lesson->name || !step)
         player.start(std::move(lesson), first, scene);
     go_to(first, scene);
+}
+
+void Lecture::replace(std::shared_ptr<const Lesson> lesson, const Scene& scene) {
+    player.replace(std::move(lesson), scene);
+    go_to(player.number(), scene);
 }
 
 void Lecture::leave(Scene& scene) {
@@ -93,13 +97,14 @@ bool Lecture::go_back(const Scene& scene) {
         go_to(player.number() - 1, scene);
     else if (const auto previous = previous_lesson();
              previous && std::exchange(announced_, Announced::Previous) == Announced::Previous)
-        wanted_lesson_ = previous->name + "#" + std::to_string(load_lesson(previous->name).steps.size());
+        wanted_lesson_ = previous->name + "#" + std::to_string(previous->steps);
     return true;
 }
 
-std::optional<BuiltInLesson> Lecture::neighbour(int places) const {
-    const std::vector<BuiltInLesson>& lessons = built_in_lessons();
-    const auto it = std::ranges::find(lessons, player.lesson().name, &BuiltInLesson::name);
+std::optional<ListedLesson> Lecture::neighbour(int places) const {
+    const std::vector<ListedLesson>& lessons = shelf.lessons;
+    const auto it = std::ranges::find_if(
+        lessons, [&](const ListedLesson& lesson) { return same_lesson(lesson.name, player.lesson().name); });
     const auto at = it - lessons.begin() + places;
     if (it == lessons.end() || at < 0 || at >= std::ssize(lessons)) return std::nullopt;
     return lessons[static_cast<std::size_t>(at)];

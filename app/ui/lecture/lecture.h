@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/lessons/lesson_player.h"
+#include "core/lessons/shelf.h"
 #include "ui/kit/style.h"
 #include "ui/lecture/caption_strip.h"
 #include "ui/lecture/exercise_view.h"
@@ -20,9 +21,12 @@ class Lecture {
 public:
     LessonPlayer player;
     Exercises exercises;                          ///< instead of a lesson
+    LessonShelf shelf;                            ///< where the next lesson is found, and the one before
     std::map<std::string, std::size_t> progress;  ///< the step at which each lesson was left
 
     void start(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::optional<std::size_t> step);
+    /// Another version of the lesson that is gone through.
+    void replace(std::shared_ptr<const Lesson> lesson, const Scene& scene);
     /// A lesson's step stays, to be played with; exercises give back the scene that was there before them.
     void leave(Scene& scene);
     /// Pictures are made of it, one by one: it moves by itself no more.
@@ -62,10 +66,10 @@ private:
     bool press_in_exercise(LectureKey key, Scene& scene, const Frame* frame);
     bool go_on(const Scene& scene);
     bool go_back(const Scene& scene);
-    /// The built-in lesson after the one that is gone through, or before it, if there is one.
-    std::optional<BuiltInLesson> next_lesson() const { return neighbour(+1); }
-    std::optional<BuiltInLesson> previous_lesson() const { return neighbour(-1); }
-    std::optional<BuiltInLesson> neighbour(int places) const;
+    /// The lesson on the shelf after the one that is gone through, or before it, if there is one.
+    std::optional<ListedLesson> next_lesson() const { return neighbour(+1); }
+    std::optional<ListedLesson> previous_lesson() const { return neighbour(-1); }
+    std::optional<ListedLesson> neighbour(int places) const;
     std::vector<Speech> speeches() const;
 
     CaptionStrip strip_;

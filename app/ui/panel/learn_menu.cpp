@@ -1,6 +1,6 @@
 #include "ui/panel/panel.h"
 
-#include "core/lessons/lesson.h"
+#include "core/lessons/shelf.h"
 #include "ui/kit/widgets.h"
 #include "ui/panel/panel_memory.h"
 
@@ -34,11 +34,27 @@ void heading(const Look& look, const char* text) {
 }
 
 // How far somebody has come: "3 of 9", a tick at the end, nothing where it has not been begun.
-std::string progress_of(const BuiltInLesson& lesson, const std::map<std::string, std::size_t>& progress) {
+std::string progress_of(const ListedLesson& lesson, const std::map<std::string, std::size_t>& progress) {
     const auto left_at = progress.find(lesson.name);
     if (left_at == progress.end() || lesson.steps == 0) return std::to_string(lesson.steps) + " steps";
     const std::size_t step = std::min(left_at->second, lesson.steps - 1) + 1;
     return step == lesson.steps ? "✓" : std::to_string(step) + " of " + std::to_string(lesson.steps);
+}
+
+void lessons(const char* title, bool built_in, const PanelContext& context) {
+    const auto wanted = [&](const ListedLesson& lesson) { return is_built_in_lesson(lesson.name) == built_in; };
+    if (std::ranges::none_of(context.shelf, wanted)) return;
+    heading(context.look, title);
+    for (const ListedLesson& lesson : context.shelf) {
+        if (!wanted(lesson)) continue;
+        ImGui::PushID(lesson.name.c_str());  // two may have one title
+        if (row(context.look, lesson.title.c_str(), progress_of(lesson, context.progress),
+                same_lesson(lesson.name, context.status.file)))
+            context.requests.open = lesson.name;
+        ImGui::PopID();
+        if (!lesson.about.empty()) tip(context.look, lesson.about.c_str());
+    }
+    ImGui::Separator();
 }
 
 }  // namespace
@@ -57,13 +73,9 @@ void learn_menu(PanelMemory& memory, const PanelContext& context) {
     ImGui::SetNextWindowPos({low.x, high.y + look.px(4)});
     ImGui::SetNextWindowSize({look.px(kMenuWidth), 0});
     if (!ImGui::BeginPopup("##learning")) return;
-    heading(look, "Lessons");
-    for (const BuiltInLesson& lesson : built_in_lessons()) {
-        if (row(look, lesson.title.c_str(), progress_of(lesson, context.progress), lesson.name == context.status.file))
-            context.requests.open = lesson.name;
-        tip(look, lesson.about.c_str());
-    }
-    ImGui::Separator();
+    if (ImGui::IsWindowAppearing()) context.requests.list_lessons = true;
+    lessons("Lessons", true, context);
+    lessons("Your lessons", false, context);
     heading(look, "Exercises");
     if (row(look, "Where does this normal go?", "without end", context.status.file.starts_with("exercises")))
         context.requests.open = "exercises";

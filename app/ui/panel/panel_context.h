@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/lessons/lesson.h"
 #include "ui/kit/file_dialog.h"
 #include "ui/kit/requests.h"
 #include "ui/kit/side_panel.h"
@@ -26,6 +27,7 @@ struct PanelContext {
     bool& help;
     Unfolded& unfolded;
     bool asking;  ///< a lesson's question waits for its answer, which numbers would tell
+    std::span<const ListedLesson> shelf;
     const std::map<std::string, std::size_t>& progress;  ///< the step at which each lesson was left
 };
 

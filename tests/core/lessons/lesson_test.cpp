@@ -126,7 +126,7 @@ TEST(LessonPlayer, ComesBackToTheStepFromAnywhere) {
 
 // Between two steps nothing jumps: M changes by little from frame to frame.
 TEST(SceneBlend, MovesEvenly) {
-    for (const BuiltInLesson& built_in : built_in_lessons()) {
+    for (const ListedLesson& built_in : built_in_lessons()) {
         const Lesson lesson = load_lesson(built_in.name);
         for (std::size_t i = 0; i + 1 < lesson.steps.size(); ++i) {
             const Scene &from = lesson.steps[i].scene, &to = lesson.steps[i + 1].scene;

@@ -8,7 +8,7 @@ namespace normalscope {
 namespace {
 
 TEST(Lecture, GoesOnToTheNextLessonWhenAskedTwice) {
-    const std::vector<BuiltInLesson>& lessons = built_in_lessons();
+    const std::vector<ListedLesson>& lessons = built_in_lessons();
     Scene scene;
     Lecture lecture;
     lecture.start(std::make_shared<const Lesson>(load_lesson(lessons[0].name)), scene, 0);
