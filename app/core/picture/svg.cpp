@@ -254,6 +254,7 @@ std::string svg_text(const Scene& scene, const Frame& frame, double pixel_scale,
         out += "<rect width=\"100%\" height=\"100%\" fill=\"" + svg_color(color) + "\"/>\n";
     }
     const Surface& surface = *frame.surface;
+    prepare_for_many_hits(surface, world_from_object(scene));
     const Mesh mesh = surface.implicit ? cut_at_kinks(surface.mesh, *surface.implicit) : surface.mesh;
     for (std::size_t i = 0; i < frame.panes.size(); ++i) {
         const Pane& pane = frame.panes[i];

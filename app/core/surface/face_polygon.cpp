@@ -1,5 +1,7 @@
 #include "core/surface/face_polygon.h"
 
+#include "core/surface/surface_probe.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
@@ -127,7 +129,7 @@ struct Face {
 };
 std::optional<Face> flat_face(const Surface& surface, Point<Object> p) {
     const Mesh& mesh = surface.mesh;
-    const auto seed = nearest_triangle(mesh, p);
+    const auto seed = nearest_triangle(surface, p);
     if (!seed || surface.implicit) return std::nullopt;
     const glm::dvec3 across = area_vector(mesh, mesh.triangles[*seed]);
     if (!(glm::length(across) > 0.0)) return std::nullopt;

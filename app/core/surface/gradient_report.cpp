@@ -12,7 +12,7 @@ constexpr double kStep = 1e-3;   // of the bound; as one would choose it who kno
 constexpr double kBeside = 0.1;  // of the bound: a triangle further away tells nothing of the point
 
 std::optional<GradientReport::Other> of_polygon(const Surface& surface, Point<Object> p) {
-    const auto index = nearest_triangle(surface.mesh, p);
+    const auto index = nearest_triangle(surface, p);
     if (!index) return std::nullopt;
     const glm::uvec3& t = surface.mesh.triangles[*index];
     const glm::dvec3 &a = surface.mesh.positions[t.x], &b = surface.mesh.positions[t.y],

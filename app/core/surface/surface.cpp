@@ -57,7 +57,9 @@ std::shared_ptr<const Surface> SurfaceCache::get(const Scene& scene) {
         mesh_ = faces ? std::make_shared<const Mesh>(std::move(surface->mesh))
                       : std::shared_ptr<const Mesh>(surface, &surface->mesh);
         mesh_source_ = scene.surface;
+        tree_ = std::make_shared<TreeInTime>();
     }
+    surface->tree = tree_;  // flat shading changes no triangle's place
     surface->implicit = implicit_;
     surface->area = surface_area(*mesh_);
     for (const glm::dvec3& p : mesh_->positions) surface->extent = glm::max(surface->extent, glm::abs(p));

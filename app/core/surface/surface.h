@@ -4,6 +4,7 @@
 #include "core/scene/mistakes.h"
 #include "core/scene/scene.h"
 #include "core/surface/implicit_surface.h"
+#include "core/surface/triangle_tree.h"
 
 #include <memory>
 #include <vector>
@@ -19,6 +20,7 @@ struct Surface {
     std::vector<Site> arrows;
     double area = 0.0;
     glm::dvec3 extent{0.0};  ///< the largest |x|, |y| and |z|
+    std::shared_ptr<TreeInTime> tree{};  ///< over the mesh's triangles; none: every one is looked at, each time
 };
 
 /// Keeps the last surface, and what it was made from, so that only what changed is made again: a mesh file is read
@@ -32,6 +34,7 @@ private:
     std::shared_ptr<const Mesh> mesh_;
     std::shared_ptr<const ImplicitSurface> implicit_;
     SurfaceSource mesh_source_;
+    std::shared_ptr<TreeInTime> tree_;
     std::shared_ptr<const Surface> surface_;
     SurfaceSource surface_source_;
     Arrows surface_arrows_;

@@ -50,14 +50,18 @@ std::optional<Point<Object>> crossing_near(const ImplicitSurface& surface, const
     return std::nullopt;
 }
 
-std::optional<Probe> nearest_on(const ImplicitSurface& surface, const Mesh& mesh, Point<Object> p,
-                                const std::optional<Direction<Object>>& borrow) {
+const TriangleTree* tree_of(const Surface& surface) {
+    return surface.tree ? surface.tree->for_one(surface.mesh) : nullptr;
+}
+
+std::optional<Probe> nearest_on(const Surface& all, Point<Object> p, const std::optional<Direction<Object>>& borrow) {
+    const ImplicitSurface& surface = *all.implicit;
     if (surface.inside_clip(p.xyz) && rounds_to_zero(surface, p.xyz)) return probe_on(surface, p, borrow);
     const double reach = kNear * surface.source().bound;
     if (const auto on = surface.onto_surface(p, reach); on && surface.inside_clip(on->xyz))
         return probe_on(surface, *on, borrow);
     if (surface.at(p).value == 0.0 && surface.lies_on(p.xyz)) return probe_on(surface, p, borrow);
-    const auto near = nearest_probe(mesh, p);
+    const auto near = nearest_probe(all.mesh, p, tree_of(all));
     if (!near) {  // only rays find it
         const auto on = surface.onto_surface(p, 2.0 * surface.source().bound);
         return on && surface.inside_clip(on->xyz) ? std::optional(probe_on(surface, *on, borrow)) : std::nullopt;
@@ -71,7 +75,7 @@ std::optional<Probe> nearest_on(const ImplicitSurface& surface, const Mesh& mesh
 // tells where the surface is met, all but exactly.
 std::optional<SurfaceHit> hit_beside_mesh(const Surface& surface, const Transform<World, Object>& m,
                                           const Ray<World>& ray) {
-    std::optional<SurfaceHit> hit = first_hit(surface.mesh, m, ray);
+    std::optional<SurfaceHit> hit = first_hit(surface.mesh, m, ray, tree_of(surface));
     if (!hit) return std::nullopt;
     const auto on = surface.implicit->onto_surface(hit->probe.point, kNear * surface.implicit->source().bound);
     if (!on || !m.reaches(*on)) return hit;
@@ -106,11 +110,16 @@ Probe probe_on(const ImplicitSurface& surface, Point<Object> anywhere, const std
     return probe;
 }
 
+void prepare_for_many_hits(const Surface& surface, const Transform<World, Object>& world_from_object) {
+    const bool by_mesh = !surface.implicit || !world_from_object.affine() || !world_from_object.inverse();
+    if (by_mesh && surface.tree) surface.tree->for_many(surface.mesh);
+}
+
 std::optional<SurfaceHit> first_hit(const Surface& surface, const Transform<World, Object>& world_from_object,
                                     const Ray<World>& ray) {
     if (surface.implicit && !world_from_object.affine()) return hit_beside_mesh(surface, world_from_object, ray);
     const auto object_from_world = surface.implicit ? world_from_object.inverse() : std::nullopt;
-    if (!object_from_world) return first_hit(surface.mesh, world_from_object, ray);
+    if (!object_from_world) return first_hit(surface.mesh, world_from_object, ray, tree_of(surface));
     // Point and direction go to object space unchanged in length: t is the same in both.
     const Ray<Object> object_ray{(*object_from_world)(ray.origin), (*object_from_world)(ray.direction)};
     const auto t = surface.implicit->first_hit(object_ray);
@@ -120,17 +129,21 @@ std::optional<SurfaceHit> first_hit(const Surface& surface, const Transform<Worl
 
 std::optional<Probe> nearest_probe(const Surface& surface, Point<Object> p,
                                    const std::optional<Direction<Object>>& borrow) {
-    return surface.implicit ? nearest_on(*surface.implicit, surface.mesh, p, borrow) : nearest_probe(surface.mesh, p);
+    return surface.implicit ? nearest_on(surface, p, borrow) : nearest_probe(surface.mesh, p, tree_of(surface));
+}
+
+std::optional<std::size_t> nearest_triangle(const Surface& surface, Point<Object> p) {
+    return nearest_triangle(surface.mesh, p, tree_of(surface));
 }
 
 std::optional<Probe> probe_in_view(const Surface& surface, const Transform<World, Object>& world_from_object,
                                    const CameraView& view, glm::dvec2 pixel,
                                    const std::optional<Direction<Object>>& borrow) {
-    if (!surface.implicit) return probe_in_view(surface.mesh, world_from_object, view, pixel);
+    if (!surface.implicit) return probe_in_view(surface.mesh, world_from_object, view, pixel, tree_of(surface));
     if (const auto hit = first_hit(surface, world_from_object, view.ray(pixel)))
         return hit->probe.singular ? probe_on(*surface.implicit, hit->probe.point, borrow) : hit->probe;
-    const auto near = probe_in_view(surface.mesh, world_from_object, view, pixel);
-    return near ? nearest_on(*surface.implicit, surface.mesh, near->point, borrow) : std::nullopt;
+    const auto near = probe_in_view(surface.mesh, world_from_object, view, pixel, tree_of(surface));
+    return near ? nearest_on(surface, near->point, borrow) : std::nullopt;
 }
 
 }  // namespace normalscope

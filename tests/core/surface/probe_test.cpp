@@ -1,4 +1,4 @@
-#include "core/surface/probe.h"
+#include "core/surface/mesh_probe.h"
 
 #include "random.h"
 

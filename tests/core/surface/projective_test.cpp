@@ -4,7 +4,7 @@
 #include "core/mesh/mesh.h"
 #include "core/scene/scene.h"
 #include "core/surface/error_measures.h"
-#include "core/surface/probe.h"
+#include "core/surface/mesh_probe.h"
 #include "core/surface/shapes.h"
 #include "core/surface/surface.h"
 #include "core/surface/worst_dots.h"
