@@ -6,7 +6,7 @@
 #include "core/frame/display_scale.h"
 #include "core/lessons/open.h"
 #include "platform/crash_line.h"
-#include "ui/lecture/step_line.h"
+#include "ui/lecture/marks_of_step.h"
 #include "ui/offscreen_gui.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ constexpr std::array kRooms{glm::ivec2(1024, 768), glm::ivec2(1280, 720), glm::i
 constexpr double kAsSaid = 5e-4;  // as many digits as a caption has
 
 std::string numbers_of(const LessonStep& step, Studio& studio) {
-    return studio.capture(step.scene, {.size = {160, 120}, .samples = 1, .numbers = true, .line = line_of(step)})
+    return studio.capture(step.scene, {.size = {160, 120}, .samples = 1, .numbers = true, .marks = marks_of(step)})
         .numbers;
 }
 

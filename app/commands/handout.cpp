@@ -9,7 +9,7 @@
 #include "core/frame/display_scale.h"
 #include "core/lessons/open.h"
 #include "platform/crash_line.h"
-#include "ui/lecture/step_line.h"
+#include "ui/lecture/marks_of_step.h"
 
 #include <optional>
 #include <vector>
@@ -105,7 +105,7 @@ std::string handout(const HandoutCommand& command) {
             const Image image = studio
                                     .capture(step.scene, {.size = command.size,
                                                           .scale = kLargeWords * usual_scale(command.size),
-                                                          .line = line_of(step)})
+                                                          .marks = marks_of(step)})
                                     .image;
             html += "<section>\n" + picture_html(step, data_of(image), live ? live->attributes(step.scene) : "") +
                     words(step, i + 1, command) + "</section>\n";

@@ -11,7 +11,7 @@
 #include "core/lessons/exercise.h"
 #include "core/lessons/open.h"
 #include "platform/crash_line.h"
-#include "ui/lecture/step_line.h"
+#include "ui/lecture/marks_of_step.h"
 
 #include <glm/mat3x3.hpp>
 
@@ -59,8 +59,9 @@ public:
     std::string text() const { return quiz_.text(); }
 
 private:
-    Image picture(const Scene& scene, const std::optional<DerivationAt>& line = std::nullopt) {
-        return studio_.capture(scene, {.size = size_, .scale = kWordsInQuiz * usual_scale(size_), .line = line}).image;
+    Image picture(const Scene& scene, const StepMarks& marks = {}) {
+        return studio_.capture(scene, {.size = size_, .scale = kWordsInQuiz * usual_scale(size_), .marks = marks})
+            .image;
     }
     void add(const Exercise& exercise, const std::string& name);
 
@@ -78,7 +79,7 @@ void QuizWriter::add(const Lesson& lesson) {
         for (const std::string& line : step.equations) html += "<p>" + html_math(line) + "</p>";
         quiz_.choices({.name = lesson.title + ", step " + std::to_string(i + 1),
                        .html = html,
-                       .picture = picture(step.scene, line_of(step)),
+                       .picture = picture(step.scene, marks_of(step)),
                        .picture_says = step.caption,
                        .why = ""},
                       *step.question);

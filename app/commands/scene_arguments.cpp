@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "core/lessons/open.h"
 #include "core/scene/setting.h"
-#include "ui/lecture/step_line.h"
+#include "ui/lecture/marks_of_step.h"
 
 namespace normalscope {
 
@@ -29,7 +29,7 @@ CaptureOptions capture_options(const PictureArguments& arguments, const Subject&
             .tab = arguments.tab,
             .lesson = arguments.captions ? subject.lesson : nullptr,
             .step = subject.step,
-            .line = subject.lesson ? line_of(subject.lesson->steps[subject.step]) : std::nullopt};
+            .marks = subject.lesson ? marks_of(subject.lesson->steps[subject.step]) : StepMarks()};
 }
 
 }  // namespace normalscope

@@ -146,7 +146,7 @@ Capture Studio::draw(const Scene& scene, const CaptureOptions& options, const st
                              {.rect = rect,
                               .pixel_scale = scale,
                               .handles = options.panel,
-                              .derivation = interface ? equipment_->gui->interface.derivation_line() : options.line});
+                              .marks = interface ? equipment_->gui->interface.marks() : options.marks});
     if (plain_ground) {
         frame.plain_ground = plain_ground;
         frame.ground_height.reset();

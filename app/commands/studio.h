@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/context_choice.h"
-#include "core/frame/carried_arrows.h"
+#include "core/frame/step_marks.h"
 #include "core/image/ground.h"
 #include "core/image/image.h"
 #include "core/lessons/lesson.h"
@@ -28,7 +28,7 @@ struct CaptureOptions {
     std::shared_ptr<const Lesson> lesson{};
     std::size_t step = 0;
     std::optional<std::size_t> answer{};  ///< the choice that has been made of its question
-    std::optional<DerivationAt> line{};   ///< of the derivation, whose arrows are shown
+    StepMarks marks{};                    ///< where there is no interface, which knows its lesson's own
 };
 
 struct Capture {

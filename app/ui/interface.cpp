@@ -4,7 +4,7 @@
 #include "ui/help.h"
 #include "ui/interface_state.h"
 #include "ui/kit/picture_labels.h"
-#include "ui/lecture/step_line.h"
+#include "ui/lecture/marks_of_step.h"
 #include "ui/panel/drawer.h"
 #include "ui/panel/panel.h"
 
@@ -157,10 +157,12 @@ void Interface::show_derivation(bool shown) {
         state_->side.open.reset();
 }
 bool Interface::derivation_shown() const { return state_->side.open == kDerivation; }
-std::optional<DerivationAt> Interface::derivation_line() const {
-    if (state_->lecture.exercises.running()) return std::nullopt;
-    if (derivation_shown()) return state_->derivation.current();
-    return state_->lecture.player.running() ? line_of(state_->lecture.player.step()) : std::nullopt;
+StepMarks Interface::marks() const {
+    const Lecture& lecture = state_->lecture;
+    StepMarks marks = lecture.player.running() ? marks_of(lecture.player.step()) : StepMarks{};
+    if (derivation_shown()) marks.line = state_->derivation.current();
+    if (lecture.exercises.running()) marks.line.reset();
+    return marks;
 }
 std::optional<Highlight> Interface::highlighted() const { return state_->derivation.pointed_at(); }
 void Interface::highlight(const std::optional<Highlight>& in_picture) { state_->derivation.highlight(in_picture); }

@@ -2,8 +2,8 @@
 
 #include "core/base/font_file.h"
 #include "core/base/letter_picture.h"
-#include "core/frame/carried_arrows.h"
 #include "core/frame/frame.h"
+#include "core/frame/step_marks.h"
 #include "core/lessons/lesson.h"
 #include "core/math/highlight.h"
 #include "core/scene/scene.h"
@@ -59,8 +59,8 @@ public:
     /// The derivation, at the right of the picture; key D.
     void show_derivation(bool shown);
     bool derivation_shown() const;
-    /// The line at which the derivation, or a lesson's step, stands: the picture shows its arrows.
-    std::optional<DerivationAt> derivation_line() const;
+    /// What the picture shows beyond the scene: a lesson's step, and the line at which the derivation stands.
+    StepMarks marks() const;
     /// What the pointer is on in the derivation, as of the last draw: the picture lights it up.
     std::optional<Highlight> highlighted() const;
     /// What the pointer is on in the picture: the derivation lights it up, until told otherwise.

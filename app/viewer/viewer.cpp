@@ -64,13 +64,13 @@ std::optional<Swing::Powers> Viewer::swinging() const {
     return swing_ ? swing_->at(host_.now(), document_.scene) : std::nullopt;
 }
 
-std::optional<DerivationAt> Viewer::derivation_at(Marks marks) const {
-    auto at = gui_.interface.derivation_line();
-    if (at && marks == Marks::WithHandles && carrying_since_) {
+StepMarks Viewer::step_marks(Marks marks) const {
+    StepMarks shown = gui_.interface.marks();
+    if (shown.line && marks == Marks::WithHandles && carrying_since_) {
         const double t = std::clamp((host_.now() - *carrying_since_) / kCarrying, 0.0, 1.0);
-        at->carried = t * t * (3.0 - 2.0 * t);
+        shown.line->carried = t * t * (3.0 - 2.0 * t);
     }
-    return at;
+    return shown;
 }
 
 float Viewer::scale() const { return scale_.of(host_.content_scale(), host_.framebuffer_size(), presenting()); }
@@ -145,7 +145,7 @@ Frame Viewer::frame_now(Marks marks) {
                                   .handles = marks == Marks::WithHandles,
                                   .quality = quality,
                                   .level_sets = level_sets_.get(document_.scene, surface->implicit),
-                                  .derivation = derivation_at(marks),
+                                  .marks = step_marks(marks),
                                   .flat_cut = flat_cut_.get(document_.scene, surface),
                                   .right_power = swing.value_or(Swing::Powers{}).right});
         lecture().exercises.add_to(frame, document_.scene, scale());
@@ -184,7 +184,7 @@ Requests Viewer::compose() {
     const Scene before = document_.scene;
     const std::optional<Highlight> lit = gui_.interface.highlighted();
     const Requests requests = lay_out();
-    const auto line = gui_.interface.derivation_line();
+    const auto line = gui_.interface.marks().line;
     const bool other_line = line != line_;
     if (other_line) {
         line_ = line;
@@ -216,7 +216,7 @@ void Viewer::draw() {
               frame_->quality,
               rough,
               -1.0,
-              derivation_at(Marks::WithHandles),
+              step_marks(Marks::WithHandles),
               arrow};
     if (const auto swing = swinging()) now.scene.power = swing->naive, now.right_power = swing->right;
     host_.draw({*frame_, drawn_ != now, rough, pace_.coarse(), quick});

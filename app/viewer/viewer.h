@@ -111,8 +111,8 @@ private:
     Scene shown_scene() const;
     /// How the rules' arrows stand, as long as they swing to their place.
     std::optional<Swing::Powers> swinging() const;
-    /// The derivation's line in the picture; `marks` as saved: with all that it carries at its end.
-    std::optional<DerivationAt> derivation_at(Marks marks) const;
+    /// What the picture shows beyond the scene; `marks` as saved: with all that a line carries at its end.
+    StepMarks step_marks(Marks marks) const;
     /// Physical pixels per logical one, as desktop, user and room want it.
     float scale() const;
 
@@ -206,7 +206,7 @@ private:
         Quality quality = Quality::Fine;
         bool rough = false;
         double right_power = -1.0;
-        std::optional<DerivationAt> derivation;
+        StepMarks marks;
         std::optional<Vector<World>> arrow;
         friend bool operator==(const Drawn&, const Drawn&) = default;
     };

@@ -78,12 +78,12 @@ TEST_F(FirstMinuteTest, WhyOpensTheLineAtStake) {
     start(both);
     click(strip("Why?"));  // orange is in sight: its dot product, below the lines
     EXPECT_TRUE(viewer().interface().derivation_shown());
-    EXPECT_EQ(viewer().interface().derivation_line(), std::nullopt);
+    EXPECT_EQ(viewer().interface().marks().line, std::nullopt);
     key(ImGuiKey_Escape);
     EXPECT_FALSE(viewer().interface().derivation_shown());
     while (scene().view != ViewMode::Single) key(ImGuiKey_V);
     click(strip("Why?"));
-    EXPECT_EQ(viewer().interface().derivation_line()->line, DerivationLine::Rule);
+    EXPECT_EQ(viewer().interface().marks().line->line, DerivationLine::Rule);
 }
 
 // The picture first, with its sentence; the controls are a press away.

@@ -2,6 +2,7 @@
 
 #include "core/frame/carried_arrows.h"
 #include "core/frame/frame.h"
+#include "core/frame/step_marks.h"
 #include "core/math/highlight.h"
 #include "core/surface/level_sets.h"
 
@@ -19,8 +20,7 @@ struct FrameOptions {
     Quality quality = Quality::Fine;
     /// The scene's (LevelSetsCache); null: they are made anew.
     std::shared_ptr<const LevelSets> level_sets{};
-    /// The line of the derivation that the picture shows, in place of the rules' arrows.
-    std::optional<DerivationAt> derivation{};
+    StepMarks marks{};
     /// The surface's (FlatCutCache); null: it is made anew.
     std::shared_ptr<const FlatCut> flat_cut{};
     double right_power = -1.0;  ///< of the inverse transpose's arrows and light, as of normal_map

@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kLessonFolder = "assets/lessons/";
 // Beyond these, words would leave no room for the picture.
 constexpr std::size_t kLongestCaption = 400, kLongestNote = 240, kLongestChoice = 90, kMostEquations = 3,
-                      kMostChoices = 5;
+                      kMostChoices = 5, kLongestLabel = 40, kMostLabels = 4;
 constexpr std::size_t kLongestNotes = 4000;  // which no picture shows
 
 std::string words(const Json& json, const JsonPath& path, std::size_t most) {
@@ -64,6 +64,50 @@ std::size_t read_line(const Json& json, const JsonPath& path) {
     int line = 0;
     read_value(json, path, line, Range{1, kLinesWithArrows});
     return static_cast<std::size_t>(line - 1);
+}
+
+LessonStep::BoardIs read_board(const Json& json, const JsonPath& path) {
+    if (json == "keep") return LessonStep::BoardIs::Kept;
+    if (json == "wipe") return LessonStep::BoardIs::Wiped;
+    fail_kind(path, "keep or wipe", json);
+}
+
+Highlight read_highlight(const Json& json, const JsonPath& path) {
+    static const std::map<std::string, Highlight> kNames{{"n_obj", {.symbol = Symbol::NObject}},
+                                                         {"v_obj", {.symbol = Symbol::VObject}},
+                                                         {"n_world", {.symbol = Symbol::NWorld}},
+                                                         {"n_naive", {.symbol = Symbol::NWorld, .naive = true}},
+                                                         {"v_world", {.symbol = Symbol::VWorld}}};
+    if (json.is_string())
+        if (const auto found = kNames.find(json.get<std::string>()); found != kNames.end()) return found->second;
+    fail_kind(path, "one of n_obj v_obj n_world n_naive v_world", json);
+}
+
+PointLabel read_label(const Json& json, const JsonPath& path) {
+    JsonObject object(json, path, "an object with the keys text, and at or on");
+    PointLabel label{.text = needed_words(object, "text", kLongestLabel), .at = {}};
+    const bool carried = object.find("on") != nullptr;
+    const char* key = carried ? "on" : "at";
+    const Json& place = object.need(key);
+    if (!place.is_array() || place.size() != 3) fail_kind(object.at(key), "three numbers", place);
+    glm::dvec3 xyz(0.0);
+    for (glm::length_t i = 0; i < 3; ++i)
+        read_value(place[static_cast<std::size_t>(i)], below(object.at(key), static_cast<std::size_t>(i)), xyz[i],
+                   kAnyNumber);
+    if (carried)
+        label.at = Point<Object>{xyz};
+    else
+        label.at = Point<World>{xyz};
+    object.no_other_keys();
+    return label;
+}
+
+std::vector<PointLabel> read_labels(const Json& json, const JsonPath& path) {
+    if (!json.is_array()) return {read_label(json, path)};
+    if (json.size() > kMostLabels) throw JsonError(path, "expected at most " + std::to_string(kMostLabels) + " labels");
+    std::vector<PointLabel> labels;
+    for (std::size_t i = 0; i < json.size(); ++i) labels.push_back(read_label(json[i], below(path, i)));
+    return labels;
 }
 
 Choice read_choice(const Json& json, const JsonPath& path) {
@@ -111,6 +155,9 @@ LessonStep read_step(const Json& json, const JsonPath& path, const Scene& before
     step.to_try = words_if_any(object, "try", kLongestNote);
     if (const Json* seconds = object.find("seconds"))
         read_value(*seconds, object.at("seconds"), step.seconds.emplace(), Range{1, 600});
+    if (const Json* board = object.find("board")) step.board = read_board(*board, object.at("board"));
+    if (const Json* what = object.find("highlight")) step.highlight = read_highlight(*what, object.at("highlight"));
+    if (const Json* label = object.find("label")) step.labels = read_labels(*label, object.at("label"));
     step.notes = words_if_any(object, "notes", kLongestNotes);
     if (const Json* question = object.find("question")) step.question = read_question(*question, object.at("question"));
     if (const Json* numbers = object.find("numbers")) step.numbers = read_numbers(*numbers, object.at("numbers"));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/math/highlight.h"
+#include "core/math/point_label.h"
 #include "core/scene/scene.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -27,15 +29,18 @@ struct Question {
 };
 
 struct LessonStep {
-    Scene scene;                         ///< the whole scene, not only what changed
-    std::string caption;                 ///< what is said
-    std::string look_at;                 ///< where to look; may be empty
-    std::vector<std::string> equations;  ///< in a line each; "n_obj", "n_world" and the like are set as symbols
-    std::string tab;                     ///< what is opened beside the picture; may be empty
+    Scene scene;                                               ///< the whole scene, not only what changed
+    std::string caption;                                       ///< what is said
+    std::string look_at;                                       ///< where to look; may be empty
+    std::vector<std::string> equations;                        ///< in a line each, as core/base/math_text.h reads them
+    enum class BoardIs { Kept, Wiped } board = BoardIs::Kept;  ///< before these are written on it
+    std::string tab;                                           ///< what is opened beside the picture; may be empty
     std::optional<std::size_t> line;     ///< of the derivation, from 0, whose arrows stand in the picture
     std::string to_try;                  ///< what asks for a hand on the mouse: said in the window alone
     std::optional<double> seconds;       ///< that it stands in a video; empty: as long as its words take to read
-    std::string notes;                   ///< for whoever teaches, never for a room
+    std::optional<Highlight> highlight;  ///< the symbol and its arrow that stand out
+    std::vector<PointLabel> labels;
+    std::string notes;  ///< for whoever teaches, never for a room
     std::optional<Question> question;
     /// What the caption claims: a dotted path in `--numbers` and its value. The tests hold it against the scene.
     std::map<std::string, double> numbers;

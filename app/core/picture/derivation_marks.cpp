@@ -11,9 +11,20 @@
 
 namespace normalscope {
 
+namespace {
+
+// A product is what it comes to: M3 v_obj is v_world.
+Symbol symbol_of(const CarriedArrow& arrow) {
+    if (arrow.meaning == Meaning::Object) return Symbol::NObject;
+    if (arrow.meaning != Meaning::Tangent) return Symbol::NWorld;
+    return arrow.name == "v object" ? Symbol::VObject : Symbol::VWorld;
+}
+
+}  // namespace
+
 void add_derivation_marks(Pane& pane, const Scene& scene, const ProbeInWorld& probe,
                           const Transform<World, Object>& world_from_object, const FrameOptions& options) {
-    const CarriedArrows shown = carried_arrows(*options.derivation, probe, world_from_object);
+    const CarriedArrows shown = carried_arrows(*options.marks.line, probe, world_from_object);
     const double pixel = options.pixel_scale * pane.view.world_per_pixel(probe.point);
     const double unit = std::max(4.6 * options.unit * scene.arrows.length, 70.0 * pixel);  // as the probe's own
     const double radius = std::max(0.022 * unit, 1.7 * pixel);
@@ -22,10 +33,12 @@ void add_derivation_marks(Pane& pane, const Scene& scene, const ProbeInWorld& pr
         const double length = arrow.to_scale ? 0.0 : glm::length(arrow.vector);
         return length > 0.0 ? unit * std::clamp(length, 0.35, 2.2) / length * arrow.vector : arrow.vector;
     };
+    const auto& stands_out = options.marks.highlight;
     const auto color_of = [&](const CarriedArrow& arrow) {
-        return arrow.meaning == Meaning::Object    ? arrow_color(ArrowKind::Object, scene.theme)
-               : arrow.meaning == Meaning::Tangent ? kTangentColor
-                                                   : kInverseTransposeColor;
+        const glm::vec3 color = arrow.meaning == Meaning::Object    ? arrow_color(ArrowKind::Object, scene.theme)
+                                : arrow.meaning == Meaning::Tangent ? kTangentColor
+                                                                    : kInverseTransposeColor;
+        return stands_out && symbol_of(arrow) != stands_out->symbol ? muted(color, scene.theme) : color;
     };
     LabelRoom room(pane, options.pixel_scale);
     const auto add = [&](const CarriedArrow& arrow, double wide) {
@@ -38,7 +51,7 @@ void add_derivation_marks(Pane& pane, const Scene& scene, const ProbeInWorld& pr
     };
     for (std::size_t i = 0; i < shown.arrows.size(); ++i) {
         // Where one comes to lie on another both are seen: the later one goes around it, and ends a little before its tip.
-        const bool around = options.derivation->line == DerivationLine::SameDirection && i == 1;
+        const bool around = options.marks.line->line == DerivationLine::SameDirection && i == 1;
         CarriedArrow arrow = shown.arrows[i];
         if (around) arrow.vector *= 0.72;
         add(arrow, around ? 1.5 : 1.0);
@@ -54,7 +67,7 @@ void add_derivation_marks(Pane& pane, const Scene& scene, const ProbeInWorld& pr
                  glm::vec4(theme_colors(scene.theme).text, 1.0f));
     }
     for (const CarriedArrow& arrow : shown.arrows) {
-        const bool lies_on = options.derivation->line == DerivationLine::SameDirection;
+        const bool lies_on = options.marks.line->line == DerivationLine::SameDirection;
         const bool first = &arrow == shown.arrows.data();
         room.put_beside(arrow.base + (lies_on && !first ? 0.5 : 1.0) * drawn(arrow), arrow.name, color_of(arrow));
     }

@@ -15,6 +15,7 @@
 #include "core/picture/sheet_marks.h"
 #include "core/picture/singular_marks.h"
 #include "core/picture/slice_marks.h"
+#include "core/picture/step_labels.h"
 #include "core/surface/face_polygon.h"
 #include "core/surface/surface_probe.h"
 
@@ -285,11 +286,11 @@ void find_probe(Frame& frame, const Scene& scene, const WorldFromObject& m, doub
 Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, const FrameOptions& given) {
     const WorldFromObject m = world_from_object(scene);
     // Where there is no inverse transpose, the derivation has no arrows to carry.
-    const bool derives = given.derivation && m.affine() && m.rank() == 3;
+    const bool derives = given.marks.line && m.affine() && m.rank() == 3;
     if (const auto other = drawn_instead(scene, *surface, derives))
         return make_frame(*other, std::move(surface), given);
     FrameOptions options = given;
-    if (!derives) options.derivation.reset();
+    if (!derives) options.marks.line.reset();
     // Within a large object, or close to it, arrows and marks as large as that would be all that one sees.
     options.unit = std::min(picture_unit(*surface, m), std::max(1.0, scene.camera.reach()));
 
@@ -305,13 +306,14 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         frame.error_maps = {scaled_for_floats(*shown), scaled_for_floats({.matrix = planes}).matrix};
     }
     // At rest on the object, the ghost would only flicker.
-    const bool ghost = scene.show.ghost && (scene.view == ViewMode::Overlay || scene.ray || options.derivation) &&
+    const bool ghost = scene.show.ghost && (scene.view == ViewMode::Overlay || scene.ray || options.marks.line) &&
                        m.matrix() != glm::dmat4(1.0);
     if (scene.view == ViewMode::Flat) {
         frame.panes = empty_panes(scene, options.rect);
         add_flat_view(frame, scene, m, options);
         if (scene.show.legend) add_legend(frame, scene, m);
         end_flat_view(frame, options);
+        for (Pane& pane : frame.panes) add_step_labels(pane, scene, m, options);
         return frame;
     }
     if (scene.show.grid) frame.ground_height = ground_height(frame.surface->mesh, m, ghost, options.unit);
@@ -330,13 +332,14 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         if (scene.show.axes) add_axes(pane, scene, frame.surface->extent, options);
         if (frame.probe) add_polygon_marks(pane, scene, *frame.probe, ghost, options);
         if (frame.probe) add_probe_marks(pane, scene, *frame.probe, drawn_arrows(scene, m, pane.rule), options);
-        if (frame.probe && options.derivation) add_derivation_marks(pane, scene, *frame.probe, m, options);
+        if (frame.probe && options.marks.line) add_derivation_marks(pane, scene, *frame.probe, m, options);
         add_sheet_marks(pane, scene, frame, m, ghost, options);
         if (frame.singular) add_singular_marks(pane, scene, *frame.singular, m, options);
         if (options.handles) add_knobs(pane, scene, m, options);
         if (frame.ray) add_ray_marks(pane, scene, *frame.ray, m, ghost, options);
         if (scene.show.stretch_axes) add_decomposition_marks(pane, scene, frame.surface->mesh, m, options);
         add_pinned_marks(pane, scene, frame, options);
+        add_step_labels(pane, scene, m, options);
         if (scene.view == ViewMode::Split) add_title(pane, scene);
     }
     if (scene.show.legend) add_legend(frame, scene, m);

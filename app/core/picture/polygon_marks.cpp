@@ -34,7 +34,7 @@ public:
         for (const glm::dvec3& corner : corners) ring.push_back(corner + lift * n);
         add_polygon(pane_.translucent, ring, glm::vec4(color, 0.2f));
         const double pixel = options_.pixel_scale * pane_.view.world_per_pixel({ring.front()});
-        if (options_.derivation) return add_tube(pane_.solids, ring, pixel, glm::vec4(color, 1.0f), true);
+        if (options_.marks.line) return add_tube(pane_.solids, ring, pixel, glm::vec4(color, 1.0f), true);
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const glm::dvec3 &from = ring[i], &to = ring[(i + 1) % ring.size()];
             add_arrow(pane_.solids, from, to - from, wide * std::max(0.011 * options_.unit, 1.7 * pixel),

@@ -126,7 +126,7 @@ public:
     void plane() {
         if (!scene_.show.tangent_plane || !plane_ || !probe_.object.polygon.empty()) return;
         const glm::dvec3 u = 0.56 * length_ * plane_->u, v = 0.56 * length_ * plane_->v;
-        const glm::vec4 blue(kTangentColor, 1.0f);
+        const glm::vec4 blue(color_of({.symbol = Symbol::VWorld}, kTangentColor), 1.0f);
         // Lifted a little, or it would flicker against the surface that it touches.
         const double side = glm::dot(plane_->normal, pane_.view.eye().xyz - centre_) < 0.0 ? -1.0 : 1.0;
         const glm::dvec3 lifted = centre_ + side * 0.012 * options_.unit * plane_->normal;
@@ -147,9 +147,11 @@ public:
         // Not as long as beside a large object far away.
         const double most = 2.0 * long_as(pane_, scene_, probe_.object.point.xyz, 1.0, options_.pixel_scale);
         if (shows(ArrowKind::Object) && scene_.show.ghost)
-            add_arrow(pane_.solids, probe_.object.point.xyz, std::min(length_, most) * probe_.object.normal.xyz,
-                      ArrowProportions::kOfObject * radius_,
-                      glm::vec4(arrow_color(ArrowKind::Object, scene_.theme), 1.0f), ArrowLook::Hollow, paper_);
+            add_arrow(
+                pane_.solids, probe_.object.point.xyz, std::min(length_, most) * probe_.object.normal.xyz,
+                ArrowProportions::kOfObject * radius_,
+                glm::vec4(color_of({.symbol = Symbol::NObject}, arrow_color(ArrowKind::Object, scene_.theme)), 1.0f),
+                ArrowLook::Hollow, paper_);
         add_ball(pane_.solids, centre_, 1.8 * radius_, glm::vec4(ink_, 1.0f));
         if (by_no_rule_) normal_by_no_rule(*by_no_rule_);
         for (const Rule rule : kRules)
@@ -196,6 +198,13 @@ private:
         return glm::normalize(n->xyz);
     }
 
+    // Of what a lesson lets stand out, and of the rest.
+    glm::vec3 color_of(Highlight what, const glm::vec3& color) const {
+        const auto& stands_out = options_.marks.highlight;
+        if (stands_out) what.tangent = stands_out->tangent;
+        return stands_out && what != *stands_out ? muted(color, scene_.theme) : color;
+    }
+
     // Where M is not affine no rule gives the normal: it stands there by itself, and each rule's arrow is held against it.
     void normal_by_no_rule(const glm::dvec3& n) {
         add_arrow(pane_.solids, centre_, length_ * n, radius_, glm::vec4(ink_, 1.0f));
@@ -205,7 +214,8 @@ private:
     }
 
     void arrow(Rule rule, const glm::dvec3& n) {
-        const glm::vec4 color(rule_color(rule), 1.0f);
+        const glm::vec4 color(color_of({.symbol = Symbol::NWorld, .naive = rule == Rule::Naive}, rule_color(rule)),
+                              1.0f);
         // Where the cofactor agrees with the inverse transpose, let it stand inside as a shorter, thicker arrow.
         const bool hidden =
             rule == Rule::Cofactor && correct_ && glm::dot(*correct_, n) > 0.0 && parallel(*correct_, n);
@@ -217,7 +227,7 @@ private:
         const glm::dvec3 tip = centre_ + length_ * n;
         keep_clear(std::array{centre_, tip});
         const bool wrong_plane = about_tangents(scene_.mistake) && scene_.rule == Rule::Naive;
-        if (!wrong_plane) named_.push_back({normal_formula(rule, scene_), n, tip, rule_color(rule)});
+        if (!wrong_plane) named_.push_back({normal_formula(rule, scene_), n, tip, glm::vec3(color)});
         if (!scene_.show.tangent_plane || !plane_) return;
         // A right angle gets its square; any other gets an arc down to the plane, on the side to which the arrow leans, or
         // by itself one to where it should stand.

@@ -91,4 +91,9 @@ constexpr glm::vec3 arrow_color(ArrowKind kind, Theme theme) {
 }
 constexpr glm::vec3 rule_color(Rule rule) { return arrow_color(arrow_kind(rule), Theme::Light); }
 
+/// What stands back, so that something else stands out.
+inline glm::vec3 muted(const glm::vec3& color, Theme theme) {
+    return 0.3f * color + 0.7f * theme_colors(theme).background_bottom;
+}
+
 }  // namespace normalscope

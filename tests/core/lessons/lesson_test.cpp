@@ -1,6 +1,7 @@
 #include "core/lessons/lesson.h"
 
 #include "core/base/error.h"
+#include "core/lessons/lesson_board.h"
 #include "core/lessons/lesson_player.h"
 #include "core/lessons/open.h"
 #include "core/scene/scene_blend.h"
@@ -80,6 +81,38 @@ TEST(Lesson, AStepMayShowALineOfTheDerivationAndHaveNotes) {
                       .find("step 1: derivation"),
                   std::string::npos)
             << line;
+}
+
+TEST(Lesson, AStepMayPutWordsIntoItsPicture) {
+    const Lesson mine = parse_lesson({lesson(R"({"caption": "a", "label": {"text": "here", "on": [1, 0, 0]}},
+        {"caption": "b", "highlight": "n_naive", "label": [{"text": "p", "at": [0, 1, 0]}, {"text": "q", "at": [0, 0, 0]}]})"),
+                                      "my.json",
+                                      {}});
+    EXPECT_EQ(mine.steps[0].labels, (std::vector<PointLabel>{{"here", Point<Object>{{1, 0, 0}}}}));
+    EXPECT_EQ(mine.steps[1].labels.at(0), (PointLabel{"p", Point<World>{{0, 1, 0}}}));
+    EXPECT_EQ(mine.steps[1].highlight, (Highlight{.symbol = Symbol::NWorld, .naive = true}));
+    EXPECT_FALSE(mine.steps[0].highlight);
+    for (const char* wrong :
+         {R"("highlight": "n")", R"("label": {"text": "p"})", R"("label": {"text": "p", "at": [1, 2]})",
+          R"("label": {"text": "p", "at": [1, 2, 3], "on": [1, 2, 3]})", R"("board": true)"})
+        EXPECT_NE(error_of(lesson("{\"caption\": \"a\", " + std::string(wrong) + "}")).find("step 1: "),
+                  std::string::npos)
+            << wrong;
+}
+
+TEST(Lesson, EquationsStayOnTheBoard) {
+    const Lesson mine = parse_lesson({lesson(R"({"caption": "a", "equations": ["1", "2"]}, {"caption": "b"},
+        {"caption": "c", "equations": ["1"]}, {"caption": "d", "equations": ["3"], "board": "wipe"},
+        {"caption": "e", "equations": ["3"]}, {"caption": "f", "board": "wipe"})"),
+                                      "my.json",
+                                      {}});
+    const auto board = [&](std::size_t step) { return board_at(mine, step); };
+    EXPECT_EQ(board(0), (Board{{}, {"1", "2"}}));
+    EXPECT_EQ(board(1), (Board{{"1", "2"}, {}}));
+    EXPECT_EQ(board(2), (Board{{"2"}, {"1"}})) << "each once, where it was said last";
+    EXPECT_EQ(board(3), (Board{{}, {"3"}}));
+    EXPECT_EQ(board(4), (Board{{}, {"3"}}));
+    EXPECT_EQ(board(5), Board{});
 }
 
 // People write in any script.

@@ -131,7 +131,8 @@ TEST(CarriedArrows, StandInThePictureInPlaceOfTheRules) {
     SurfaceCache surfaces;
     const Scene scene{.stack = {Scale{{0.5, 2, 1}}, Translate{{1, 0, 0}}}};
     const auto frame = [&](std::optional<DerivationAt> at) {
-        return make_frame(scene, surfaces.get(scene), {.rect = {{0, 0}, {640, 480}}, .derivation = at});
+        return make_frame(scene, surfaces.get(scene),
+                          {.rect = {{0, 0}, {640, 480}}, .marks = {.line = at, .highlight = {}, .labels = {}}});
     };
     EXPECT_FALSE(frame(std::nullopt).panes[0].arrows.empty());
     for (int line = 0; line < static_cast<int>(kDerivationLines); ++line) {
@@ -152,7 +153,8 @@ TEST(CarriedArrows, NothingIsCarriedWhereThereIsNoNormal) {
     SurfaceCache surfaces;
     const Scene scene{.stack = {Scale{{1, 0, 1}}}};
     const Frame shown =
-        make_frame(scene, surfaces.get(scene), {.rect = {{0, 0}, {640, 480}}, .derivation = DerivationAt{}});
+        make_frame(scene, surfaces.get(scene),
+                   {.rect = {{0, 0}, {640, 480}}, .marks = {.line = DerivationAt{}, .highlight = {}, .labels = {}}});
     EXPECT_FALSE(shown.panes[0].arrows.empty());
 }
 
