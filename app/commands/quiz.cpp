@@ -7,6 +7,7 @@
 #include "core/base/decimal.h"
 #include "core/base/error.h"
 #include "core/base/html.h"
+#include "core/base/math_text.h"
 #include "core/frame/display_scale.h"
 #include "core/lessons/exercise.h"
 #include "core/lessons/open.h"
@@ -80,7 +81,7 @@ void QuizWriter::add(const Lesson& lesson) {
         quiz_.choices({.name = lesson.title + ", step " + std::to_string(i + 1),
                        .html = html,
                        .picture = picture(step.scene, marks_of(step)),
-                       .picture_says = step.caption,
+                       .picture_says = plain_math(step.caption),
                        .why = ""},
                       *step.question);
     }

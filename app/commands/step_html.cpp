@@ -2,6 +2,7 @@
 
 #include "core/base/base64.h"
 #include "core/base/html.h"
+#include "core/base/math_text.h"
 #include "core/image/png.h"
 
 namespace normalscope {
@@ -14,7 +15,7 @@ std::string page_head(const std::string& title, std::string_view style, const st
 std::string data_of(const Image& image) { return "data:image/png;base64," + base64(png_bytes(image)); }
 
 std::string picture_html(const LessonStep& step, const std::string& source, const std::string& attributes) {
-    return "  <img" + attributes + " alt=\"" + html_text(step.caption) + "\" src=\"" + source + "\">\n";
+    return "  <img" + attributes + " alt=\"" + html_text(plain_math(step.caption)) + "\" src=\"" + source + "\">\n";
 }
 
 std::string equations_html(const LessonStep& step) {

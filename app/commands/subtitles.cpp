@@ -1,6 +1,7 @@
 #include "commands/subtitles.h"
 
 #include "core/base/html.h"
+#include "core/base/math_text.h"
 #include "core/base/utf8.h"
 
 #include <cmath>
@@ -39,8 +40,9 @@ std::string time_text(double seconds, char before_thousandths) {
 void Subtitles::say(const std::string& words, double seconds) {
     const auto all = static_cast<double>(columns(words));
     const double end = now_ + seconds;
-    for (const std::string& sentence : sentences(words)) {
-        const double to = now_ + seconds * static_cast<double>(columns(sentence)) / all;
+    for (const std::string& written : sentences(words)) {
+        const std::string sentence = plain_math(written);
+        const double to = now_ + seconds * static_cast<double>(columns(written)) / all;
         cues_.push_back({now_, to, sentence});
         now_ = to;
     }

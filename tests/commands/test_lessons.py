@@ -178,7 +178,7 @@ class LessonsTest(CommandTest):
         self.assertNotIn("So it is.", page("--answers", "none"))
         inline = page("--answers", "inline")
         self.assertLess(inline.index("So it is."), inline.index("2. b"))
-        self.assertNotIn("Ask", page())
+        self.assertNotIn("Ask &lt;", page())
         self.assertIn("Ask &lt;first&gt;.", page("--notes"))
         self.assert_fails(2, "handout", lesson, "-o", "-", "--answers", "some", says=("expected end, inline or none",))
 

@@ -22,10 +22,11 @@ struct Fonts {
     ImFont* letters = nullptr;  ///< 20 px, slanted: the letters of equations, and no other signs
     ImFont* upright = nullptr;  ///< 20 px: the digits and operators beside them
     ImFont* numbers = nullptr;  ///< 14 px: the entries of their matrices
-    ImFont* tiny = nullptr;     ///< 10 px: letters below small words
+    ImFont* tiny = nullptr;     ///< 10 px: what stands above and below the letters of small words
     // What is said below the picture, in a lesson or a lecture; baked where it is wanted.
-    ImFont* caption = nullptr;   ///< 19 px
-    ImFont* equation = nullptr;  ///< 25 px
+    ImFont* caption = nullptr;                                       ///< 19 px
+    ImFont* equation = nullptr;                                      ///< 25 px
+    ImFont *caption_letters = nullptr, *equation_letters = nullptr;  ///< the same sizes, slanted: names of one letter
 };
 
 /// Letters beyond those that the interface itself uses: those of file names, messages and lessons. Baking every letter of

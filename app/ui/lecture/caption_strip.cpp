@@ -13,23 +13,25 @@ namespace {
 constexpr float kPad = 20.0f, kHeader = 34.0f, kGap = 7.0f, kBottom = 12.0f;
 constexpr float kTwoColumns = 640.0f;  // from this width on, choices stand in two columns
 
-MathStyle style_with(const Look& look, const ImFont* words, const ImFont* below) {
+MathStyle style_with(const Look& look, const ImFont* words, const ImFont* below, const ImFont* letters) {
     MathStyle style = math_style(look);
     style.script = words;
     style.subscript_in_text = below;
+    style.letters_in_text = letters;
     return style;
 }
 
 MathBox caption_box(const Look& look, std::string_view text, float width) {
-    return paragraph(style_with(look, look.fonts.caption, look.fonts.small), text, width, Ink::Plain,
-                     Meaning::InverseTranspose);
+    return paragraph(style_with(look, look.fonts.caption, look.fonts.small, look.fonts.caption_letters), text, width,
+                     WordInks{});
 }
 MathBox note_box(const Look& look, std::string_view text, float width, Ink ink) {
-    return paragraph(style_with(look, look.fonts.body, look.fonts.tiny), text, width, ink, Meaning::InverseTranspose);
+    return paragraph(style_with(look, look.fonts.body, look.fonts.tiny, nullptr), text, width, {.words = ink});
 }
 MathBox equation_box(const Look& look, std::string_view text, float width) {
-    return paragraph(style_with(look, look.fonts.equation, look.fonts.body), text, width, Ink::Plain,
-                     Meaning::InverseTranspose);
+    MathStyle style = style_with(look, look.fonts.equation, look.fonts.body, look.fonts.equation_letters);
+    style.formula = true;
+    return paragraph(style, text, width, WordInks{});
 }
 
 std::size_t columns_of(const Look& look, const Question& question, float width) {

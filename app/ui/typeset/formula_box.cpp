@@ -1,5 +1,7 @@
 #include "ui/typeset/formula_box.h"
 
+#include "ui/typeset/math_shapes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -146,8 +148,8 @@ private:
             case Kind::FractionBegin:
                 if (levels_.size() == 1 && !done.parts.empty() && done.parts[0].width > width_)
                     return append_in_line(std::move(done), inside);
-                return append(done.parts.empty() ? inside : fraction(done.parts[0], inside), share(0.06f));
-            case Kind::RootBegin: return append(root(inside), share(0.06f));
+                return append(done.parts.empty() ? inside : fraction_box(pen(), done.parts[0], inside), share(0.06f));
+            case Kind::RootBegin: return append(root_box(pen(), inside), share(0.06f));
             case Kind::CasesBegin: done.parts.push_back(std::move(inside)); return append(cases(done.parts));
             default: return raise(inside);
         }
@@ -180,34 +182,8 @@ private:
         box.add(inside, 2 * gap);
         const float right = box.width + gap;
         for (const float x : {gap, right})
-            box.strokes.push_back(line({x, -inside.ascent - more}, {x, inside.descent + more}));
+            box.strokes.push_back(straight(pen(), {x, -inside.ascent - more}, {x, inside.descent + more}));
         box.width = right + gap;
-        return box;
-    }
-
-    MathBox fraction(const MathBox& over, const MathBox& under) const {
-        MathBox box;
-        const float pad = share(0.08f), y = -std::round(0.34f * em());
-        const float width = std::max(over.width, under.width) + 2 * pad;
-        box.add(over, std::round((width - over.width) / 2), y - share(0.12f) - over.descent);
-        box.add(under, std::round((width - under.width) / 2), y + share(0.14f) + under.ascent);
-        box.width = width;
-        box.strokes.push_back(line({0, y}, {width, y}));
-        return box;
-    }
-
-    MathBox root(const MathBox& inside) const {
-        MathBox box;
-        const float wide = share(0.55f), top = -inside.ascent - share(0.12f), low = inside.descent;
-        box.add(inside, wide + share(0.06f));
-        box.width += share(0.1f);
-        box.ascent = std::max(box.ascent, -top + style_.weight);
-        box.strokes.push_back({{ImVec2(share(0.05f), top * 0.35f), ImVec2(share(0.17f), top * 0.42f),
-                                ImVec2(share(0.32f), low), ImVec2(wide, top)},
-                               false,
-                               style_.weight,
-                               Ink::Plain});
-        box.strokes.push_back(line({wide, top}, {box.width, top}));
         return box;
     }
 
@@ -238,11 +214,7 @@ private:
         return box;
     }
 
-    // By way of two points between: where points fall together Dear ImGui draws a line twice as wide.
-    MathBox::Stroke line(ImVec2 a, ImVec2 b) const {
-        const auto between = [&](float t) { return ImVec2(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)); };
-        return {{a, between(1.0f / 3.0f), between(2.0f / 3.0f), b}, false, style_.weight, Ink::Plain};
-    }
+    Pen pen() const { return {em(), style_.weight}; }
 
     const MathStyle& style_;
     float width_;

@@ -65,6 +65,8 @@ MathStyle math_style(const Look& look, NumberSize numbers, float shrink) {
             f.small,
             numbers == NumberSize::Small ? f.small : f.numbers,
             f.tiny,
+            nullptr,
+            false,
             shrink,
             kEm * look.scale * shrink,
             std::max(1.0f, 1.25f * look.scale)};

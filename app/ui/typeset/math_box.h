@@ -20,9 +20,11 @@ ImVec4 color_of(const Look& look, Ink ink);
 /// The fonts and measures of mathematics, in physical pixels.
 struct MathStyle {
     const ImFont *letters, *upright, *script, *numbers, *subscript_in_text;
-    float shrink = 1.0f;   ///< for what would be too wide otherwise
-    float em = 20.0f;      ///< of the letters, shrunk
-    float weight = 1.25f;  ///< of brackets
+    const ImFont* letters_in_text = nullptr;  ///< of names in sentences; null: as the words
+    bool formula = false;                     ///< what is set is no sentence: "a" is a name
+    float shrink = 1.0f;                      ///< for what would be too wide otherwise
+    float em = 20.0f;                         ///< of the letters, shrunk
+    float weight = 1.25f;                     ///< of brackets
 };
 enum class NumberSize { Usual, Small };
 MathStyle math_style(const Look& look, NumberSize numbers = NumberSize::Usual, float shrink = 1.0f);

@@ -186,63 +186,6 @@ MathBox expression_box(const MathStyle& style, const Expression& e, const AsNumb
 }
 
 namespace {
-
-// A word of a sentence, in which "M₃ᵀ n_world," has its subscript.
-MathBox word_box(const MathStyle& style, std::string_view word, Ink ink, Meaning n_world) {
-    struct Name {
-        std::string_view in_text;
-        Meaning meaning;
-    };
-    const std::array<Name, 5> names{{{"n_obj", Meaning::Object},
-                                     {"v_obj", Meaning::Tangent},
-                                     {"n_world", n_world},
-                                     {"v_world", Meaning::Tangent},
-                                     {"n_naive", Meaning::Naive}}};
-    MathBox box;
-    while (!word.empty()) {
-        std::size_t at = word.size();
-        const Name* found = nullptr;
-        for (const Name& name : names)
-            if (const auto there = word.find(name.in_text); there < at) {
-                at = there;
-                found = &name;
-            }
-        if (at > 0) box.append(written(style, style.script, word.substr(0, at), ink));
-        if (!found) break;
-        const Ink colored = found->meaning == Meaning::Object ? ink : ink_of(found->meaning);
-        box.append(written(style, style.script, found->in_text.substr(0, 1), colored));
-        box.add(written(style, style.subscript_in_text, found->in_text.substr(2), colored), box.width,
-                em(style, 0.13f));
-        word.remove_prefix(at + found->in_text.size());
-    }
-    return box;
-}
-
-}  // namespace
-
-MathBox paragraph(const MathStyle& style, std::string_view text, float width, Ink ink, Meaning n_world) {
-    MathBox box;
-    const float space = written(style, style.script, " ", ink).width;
-    const float line = std::round(style.script->FontSize * style.shrink * 1.04f);
-    float x = 0.0f, y = 0.0f;
-    while (!text.empty()) {
-        // An equation is not broken at its sign.
-        auto end = std::min(text.find(' '), text.size());
-        while (end < text.size() && (text.substr(end + 1).starts_with("= ") || text.substr(0, end).ends_with(" =")))
-            end = std::min(text.find(' ', end + 1), text.size());
-        const MathBox word = word_box(style, text.substr(0, end), ink, n_world);
-        text.remove_prefix(std::min(end + 1, text.size()));
-        if (x > 0.0f && x + word.width > width) {
-            x = 0.0f;
-            y += line;
-        }
-        box.add(word, x, y);
-        x += word.width + space;
-    }
-    return box;
-}
-
-namespace {
 MathBox equals_sign(const MathStyle& style) { return written(style, style.upright, "=", Ink::Plain); }
 float beside_sign(const MathStyle& style) { return em(style, 0.3f); }
 float width_of(const MathStyle& style, float left, float right) {

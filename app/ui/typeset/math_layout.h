@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,7 +32,15 @@ MathBox expression_box(const MathStyle& style, const Expression& expression, con
 /// A name as equations have it: "n_world" is n with a subscript.
 MathBox name_box(const MathStyle& style, Symbol symbol, Meaning meaning);
 
-/// Words at `style.script`'s size, broken at spaces; n_obj and the like are set with subscripts, in their colours.
+struct WordInks {
+    Ink words = Ink::Plain;
+    Meaning n_world = Meaning::InverseTranspose;
+    std::string
+        stands_out{};  ///< the one of "n_obj", "n_world" … that does, while the others are like words; empty: none
+};
+/// Words and mathematics (core/base/math_text.h) at `style.script`'s size, broken at spaces; n_obj and the like are in their
+/// colours.
+MathBox paragraph(const MathStyle& style, std::string_view text, float width, const WordInks& inks);
 MathBox paragraph(const MathStyle& style, std::string_view text, float width, Ink ink, Meaning n_world);
 
 struct Equation {
