@@ -116,6 +116,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
                     .asking = s.lecture.asking(),
                     .shelf = s.lecture.shelf.lessons,
                     .progress = s.lecture.progress});
+    s.draw_editor(scene, frame, status, requests);
     if (!s.lecture.exercises.running())
         draw_side_panel(scene, tabs, s.side, {.look = s.look, .frame = frame, .status = status},
                         static_cast<float>(room.side));
@@ -229,6 +230,7 @@ void Interface::ask_open() { state_->dialog.open(FileDialog::For::OpenAny); }
 bool Interface::asks_for_file() const { return state_->dialog.is_open() && state_->dialog.opens(); }
 void Interface::ask_no_more() { state_->dialog.withdraw(); }
 void Interface::ask_save_scene() { state_->dialog.open(FileDialog::For::SaveScene); }
+void Interface::ask_save_lesson() { state_->dialog.open(FileDialog::For::SaveLesson); }
 void Interface::ask_save_picture() { state_->dialog.open(FileDialog::For::SavePicture); }
 void Interface::ask(Asked what, std::string title, std::string text, std::vector<std::string> choices) {
     state_->question.ask(what, std::move(title), std::move(text), std::move(choices));

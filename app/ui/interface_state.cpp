@@ -95,6 +95,12 @@ void InterfaceState::draw_strip(Scene& scene, const Frame& frame, const Status& 
     }
 }
 
+void InterfaceState::draw_editor(const Scene& scene, const Frame& frame, const Status& status, Requests& requests) {
+    if (editor_shown && status.draft.lesson && lecture.player.running() && !lecture.presenting)
+        editor.draw({look, status.draft, scene, frame.rect, lecture.player.strayed(scene)}, requests);
+    if (requests.writing) editor_shown = *requests.writing != Writing::Done;
+}
+
 // Where the naive rule's arrow is seen, what becomes of its dot product; else the line at which the right one follows, or stops.
 void InterfaceState::ask_why(const Scene& scene) {
     const bool invertible = world_from_object(scene).normal_matrices_by_rule().rank == 3;

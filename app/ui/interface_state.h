@@ -8,6 +8,7 @@
 #include "ui/kit/side_panel.h"
 #include "ui/kit/unfolded.h"
 #include "ui/lecture/lecture.h"
+#include "ui/lecture/lesson_editor.h"
 #include "ui/panel/drawer.h"
 #include "ui/panel/panel_memory.h"
 #include "ui/probe_trail.h"
@@ -42,6 +43,8 @@ struct InterfaceState {
     ProbeTrail trail;
     MapsTab maps;
     ErrorTab error;
+    LessonEditor editor;
+    bool editor_shown = false;
     mutable Lecture lecture;  // which remembers what it has measured
     bool captions = false;    ///< their fonts are in the atlas
     bool panel_shown = true, help = false;
@@ -64,6 +67,8 @@ struct InterfaceState {
     Arrangement arrangement(glm::ivec2 framebuffer) const;
     /// The sentence above the picture, and what is pressed there.
     void draw_strip(Scene& scene, const Frame& frame, const Status& status, Requests& requests);
+    /// Where a lesson is written: its words and steps.
+    void draw_editor(const Scene& scene, const Frame& frame, const Status& status, Requests& requests);
     /// The derivation's line on which the rule that is chosen stands or falls.
     void ask_why(const Scene& scene);
     void want_letters_of_lesson();

@@ -15,9 +15,11 @@ bool is_scene_file(const std::filesystem::path& file) {
     return file.extension() == ".json" && std::filesystem::is_regular_file(file, error);
 }
 
-bool is_unsaved(const Scene& scene, const Origin& origin) {
+bool is_unsaved(const Work& work) {
+    const Origin& origin = *work.origin;
+    if (work.draft.lesson) return work.draft.lesson != origin.saved_lesson;
     if (origin.is_play) return false;
-    Scene now = scene;
+    Scene now = work.scene;
     now.theme = origin.saved.theme;  // the room's light
     if (!origin.is_the_users) now.camera = origin.saved.camera;
     return now != origin.saved;
@@ -32,7 +34,7 @@ std::shared_ptr<Origin> origin_of(const Scene& scene, const std::string& file) {
 Document::Document(Scene first, const std::string& file)
     : scene(std::move(first)), origin_(origin_of(scene, file)), history_({scene, origin_}) {}
 
-bool Document::unsaved() const { return is_unsaved(scene, *origin_); }
+bool Document::unsaved() const { return is_unsaved({scene, origin_, draft}); }
 
 bool Document::as_named() const {
     const Scene& named = origin_->saved;
@@ -52,9 +54,9 @@ std::vector<Work> Document::all_unsaved() const {
     const auto look_at = [&](const Work& work) {
         if (seen.contains(work.origin.get())) return;
         for (const Origin* o = work.origin.get(); o; o = o->goes_on_from.get()) seen.insert(o);
-        if (is_unsaved(work.scene, *work.origin)) works.push_back(work);
+        if (is_unsaved(work)) works.push_back(work);
     };
-    look_at({scene, origin_});
+    look_at({scene, origin_, draft});
     std::ranges::for_each(history_.done() | std::views::reverse, look_at);
     std::ranges::reverse(works);
     return works;
@@ -63,6 +65,7 @@ std::vector<Work> Document::all_unsaved() const {
 void Document::open(Scene opened, const std::string& file) {
     scene = std::move(opened);
     origin_ = origin_of(scene, file);
+    draft = {};
 }
 
 void Document::open_mesh(Scene with_mesh, const std::string& file) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/lessons/unsaved_work.h"
+#include "core/lessons/writing.h"
 #include "core/scene/history.h"
 #include "core/scene/scene.h"
 
@@ -16,15 +17,17 @@ struct Origin {
     std::string file;           ///< or the name of whatever is built in; empty: none
     bool is_the_users = false;  ///< a scene file, which can be saved to without asking
     Scene saved;
-    bool is_play = false;  ///< a lesson's or an exercise's: what is done there is no work
+    bool is_play = false;                          ///< a lesson's or an exercise's: what is done there is no work
     /// Where a mesh was opened into work that has no file, that work is this one by now.
     std::shared_ptr<const Origin> goes_on_from{};
+    std::shared_ptr<const Lesson> saved_lesson{};  ///< of a lesson that is written: what its file holds
 };
 
 /// A scene and what it comes from.
 struct Work {
     Scene scene;
     std::shared_ptr<Origin> origin;
+    Draft draft{};  ///< a lesson that is written: it is what is to be saved, and not the scene
     friend bool operator==(const Work&, const Work&) = default;
 };
 
@@ -34,6 +37,7 @@ public:
     Document(Scene first, const std::string& file);
 
     Scene scene;  ///< as it is being edited
+    Draft draft;  ///< the lesson that is being written, if one is
 
     const std::string& file() const { return origin_->file; }
     bool has_file() const { return origin_->is_the_users; }
@@ -52,7 +56,29 @@ public:
     void open_mesh(Scene with_mesh, const std::string& file);
     /// A lesson or exercises, whose scenes are no work, begin with the scene as it is: saving it to a lesson's file would
     /// lose the steps.
-    void play(const std::string& name) { origin_ = std::make_shared<Origin>(Origin{name, false, scene, true}); }
+    void play(const std::string& name) {
+        origin_ = std::make_shared<Origin>(Origin{name, false, scene, true});
+        draft = {};
+    }
+    /// A lesson is written from now on, of which a file, or the program, holds `saved`.
+    void write(const std::string& name, Draft begun, std::shared_ptr<const Lesson> saved) {
+        play(name);
+        draft = std::move(begun);
+        origin_->saved_lesson = std::move(saved);
+    }
+    /// The lesson that is written is in that file by now.
+    void lesson_saved_as(const std::string& file) {
+        origin_->file = file;
+        origin_->saved_lesson = draft.lesson;
+    }
+    bool unsaved_lesson() const { return draft.lesson && draft.lesson != origin_->saved_lesson; }
+    /// The lesson is left, and the scene stays. An undo leads back to what has been written.
+    void leave_lesson() {
+        if (draft.lesson)
+            open(scene, "");
+        else
+            settle();
+    }
     /// To work that was left.
     void go_back_to(const Work& work);
     /// Work of an earlier session, which no file holds.
@@ -63,14 +89,17 @@ public:
     void settle() { *origin_ = {origin_->file, origin_->is_the_users, scene}; }
     /// Nothing that is unsaved matters any more.
     void discard() {
-        for (const Work& work : all_unsaved()) work.origin->saved = work.scene;
+        for (const Work& work : all_unsaved()) {
+            work.origin->saved = work.scene;
+            work.origin->saved_lesson = work.draft.lesson;
+        }
     }
     /// Exercises come and go, and the scene's origin with them.
     std::shared_ptr<Origin> origin() const { return origin_; }
     void set_origin(std::shared_ptr<Origin> origin) { origin_ = std::move(origin); }
 
     /// What has been done becomes one step to undo.
-    void commit() { history_.commit({scene, origin_}); }
+    void commit() { history_.commit({scene, origin_, draft}); }
     bool can_undo() const { return history_.can_undo(); }
     bool can_redo() const { return history_.can_redo(); }
     void undo() { take(history_.undo()); }
@@ -82,6 +111,7 @@ private:
     void take(const Work& work) {
         scene = work.scene;
         origin_ = work.origin;
+        draft = work.draft;
     }
 
     std::shared_ptr<Origin> origin_;

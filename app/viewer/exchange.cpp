@@ -58,12 +58,14 @@ void Viewer::close() {
 
 void Viewer::ask_to_save(const std::vector<Work>& works) {
     document_.go_back_to(works.back());  // what is asked about is seen
+    follow_draft();
     std::string text = "It has been changed since it was " + std::string(document_.has_file() ? "saved" : "opened");
     std::string others;
     for (const Work& work : works | std::views::reverse | std::views::drop(1))
         others += (others.empty() ? "" : ", ") + name_of(work);
     text += others.empty() ? "." : ". So have others that were open: " + others + ".";
-    gui_.interface.ask(Asked::Closing, "Save the scene?", std::move(text),
+    const bool lesson = document_.draft.lesson != nullptr;
+    gui_.interface.ask(Asked::Closing, lesson ? "Save the lesson?" : "Save the scene?", std::move(text),
                        {"Save", others.empty() ? "Discard" : "Discard all", "Stay"});
 }
 
@@ -100,16 +102,21 @@ void Viewer::obey(const Reply& reply) {
 
 void Viewer::keep(const std::vector<Work>& works) {
     std::vector<UnsavedWork> all = offered_;
-    for (const Work& work : works) all.push_back({work.origin->file, work.scene});
+    for (const Work& work : works)
+        if (!work.draft.lesson) all.push_back({work.origin->file, work.scene});
     if (all == kept_) return;
     host_.keep(all.empty() ? "" : unsaved_text(all));
     kept_ = std::move(all);
 }
 
+void Viewer::ask_save() { document_.draft.lesson ? gui_.interface.ask_save_lesson() : gui_.interface.ask_save_scene(); }
+
 void Viewer::save() {
-    if (!document_.has_file()) return gui_.interface.ask_save_scene();
+    std::error_code error;
+    const bool lesson = document_.draft.lesson != nullptr;
+    if (lesson ? !std::filesystem::is_regular_file(document_.file(), error) : !document_.has_file()) return ask_save();
     try {
-        save_scene(document_.file());
+        lesson ? save_lesson(document_.file()) : save_scene(document_.file());
     } catch (const Error& e) {
         gui_.interface.show_error(e.what());
     }

@@ -113,7 +113,7 @@ void Viewer::shortcut_with_control(const KeyPress& key) {
         case ImGuiKey_Z: return undo(key.shift() ? Direction::Redo : Direction::Undo);
         case ImGuiKey_Y: return undo(Direction::Redo);
         case ImGuiKey_O: return gui_.interface.ask_open();
-        case ImGuiKey_S: return key.shift() ? gui_.interface.ask_save_scene() : save();
+        case ImGuiKey_S: return key.shift() ? ask_save() : save();
         case ImGuiKey_F:
             if (!exercising()) gui_.interface.edit_formula(document_.scene);
             return;
@@ -156,7 +156,7 @@ void Viewer::undo(Direction direction) {
     int steps = 0;
     while (redo ? document_.can_redo() : document_.can_undo()) {
         redo ? document_.redo() : document_.undo();
-        if (can_be_drawn(document_.scene)) return;
+        if (can_be_drawn(document_.scene)) return follow_draft();
         ++steps;
     }
     for (; steps > 0; --steps) redo ? document_.undo() : document_.redo();

@@ -165,13 +165,15 @@ Requests Viewer::lay_out() {
     const bool was_exercising = exercising(), was_in_lesson = in_lesson();
     const std::optional<ErrorStatistics>& errors = errors_.get(document_.scene, frame_->surface);
     gui_.layout(shown_scene().theme, scale(), [&] {
-        requests = gui_.interface.draw(document_.scene, *frame_,
-                                       {document_.can_undo(), document_.can_redo(), errors, document_.file(),
-                                        document_.has_file(), true, document_.as_named()});
+        requests =
+            gui_.interface.draw(document_.scene, *frame_,
+                                {document_.can_undo(), document_.can_redo(), errors, document_.file(),
+                                 document_.has_file(), true, in_lesson(), document_.draft, document_.as_named()});
     });
     laid_out_at_ = host_.now();
     if (was_exercising && !exercising()) document_.set_origin(origin_before_exercises_);
-    if (was_in_lesson && !in_lesson()) document_.settle();
+    if (was_in_lesson && !in_lesson()) document_.leave_lesson();
+    if (document_.draft.lesson) document_.draft.step = lecture().player.number();
     // From whatever else was opened meanwhile, the lesson goes on.
     if (lecture().moving() && !in_lesson()) document_.play(lecture().player.lesson().name);
     return requests;
@@ -246,11 +248,15 @@ void Viewer::obey(const Requests& requests) {
     if (requests.copy_equations) copy_equations();
     if (requests.quit) close();
     if (requests.reply) obey(*requests.reply);
+    if (requests.edit) write(*requests.edit);
+    if (requests.writing) write(*requests.writing);
+    if (requests.save_lesson_as) gui_.interface.ask_save_lesson();
     if (requests.list_lessons) list_lessons();
     if (requests.open) open(*requests.open);
     if (requests.open_mesh) open(*requests.open_mesh);
     try {
         if (requests.save) save();
+        if (requests.save_lesson) save_lesson(*requests.save_lesson);
         if (requests.save_scene) save_scene(*requests.save_scene);
         if (requests.save_picture) save_picture(*requests.save_picture);
         if (requests.copy_command) copy_command();

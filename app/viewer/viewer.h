@@ -85,7 +85,11 @@ private:
     bool presenting() const { return lecture().presenting; }
     bool exercising() const { return lecture().exercises.running(); }
     /// What is seen is a lesson's step, or comes from one.
-    bool in_lesson() const { return lecture().player.running() && document_.file() == lecture().player.lesson().name; }
+    bool in_lesson() const {
+        const LessonPlayer& player = lecture().player;
+        return player.running() && (document_.draft.lesson ? document_.draft.lesson == player.shared_lesson()
+                                                           : document_.file() == player.lesson().name);
+    }
     void wake();
     void end_greeting();
     /// When the interface wants to be drawn again though nothing happens, by the host's clock.
@@ -139,6 +143,11 @@ private:
     void list_lessons();
     /// Whether the open lesson has a file.
     bool lesson_is_watched() const { return in_lesson() && !is_built_in_lesson(document_.file()); }
+    void write(Writing what);
+    void write(const Draft& draft);
+    /// After an undo, the lesson that is written may be another, or none.
+    void follow_draft();
+    void save_lesson(const std::filesystem::path& file);
     /// Reads the lesson again where somebody has written to its file.
     void watch_lesson();
 
@@ -154,6 +163,7 @@ private:
     void keep(const std::vector<Work>& works);
     /// To the open file, or to one that is asked for.
     void save();
+    void ask_save();
     void save_scene(const std::filesystem::path& file);
     void copy_command();
     void copy_link();

@@ -162,6 +162,7 @@ LessonStep read_step(const Json& json, const JsonPath& path, const Scene& before
     if (const Json* question = object.find("question")) step.question = read_question(*question, object.at("question"));
     if (const Json* numbers = object.find("numbers")) step.numbers = read_numbers(*numbers, object.at("numbers"));
     object.no_other_keys();
+    step.source = json.dump(-1, ' ', false, Json::error_handler_t::replace);
     return step;
 }
 
@@ -178,8 +179,7 @@ Lesson read_lesson(const Json& json) {
         throw JsonError(path, "has " + std::to_string(steps.size()) + " steps; at most " +
                                   std::to_string(kMostLessonSteps) + " are allowed, so make several lessons of it");
     object.no_other_keys();
-    Scene scene;
-    scene.camera.zoom = 1.0;  // so that nothing jumps from step to step
+    Scene scene = scene_before_steps();
     for (std::size_t i = 0; i < steps.size(); ++i) {
         lesson.steps.push_back(read_step(steps[i], below(path, i), scene));
         scene = lesson.steps.back().scene;
@@ -204,6 +204,12 @@ std::optional<std::string_view> built_in_text(const std::string& name) {
 }
 
 }  // namespace
+
+Scene scene_before_steps() {
+    Scene scene;
+    scene.camera.zoom = 1.0;  // so that nothing jumps from step to step
+    return scene;
+}
 
 Lesson lesson_of_json(const Json& json, const LessonSource& source) {
     Lesson lesson;

@@ -42,6 +42,7 @@ struct LessonStep {
     std::vector<PointLabel> labels;
     std::string notes;  ///< for whoever teaches, never for a room
     std::optional<Question> question;
+    std::string source;  ///< its JSON, of which save_lesson keeps what is not edited; empty: it is new
     /// What the caption claims: a dotted path in `--numbers` and its value. The tests hold it against the scene.
     std::map<std::string, double> numbers;
 };
@@ -54,6 +55,8 @@ struct Lesson {
 };
 
 inline constexpr std::size_t kMostLessonSteps = 200;
+/// What the first step changes.
+Scene scene_before_steps();
 
 /// A lesson's text and where it is from, for errors, which tell line and step.
 struct LessonSource {

@@ -29,10 +29,11 @@ void LessonPlayer::start(std::shared_ptr<const Lesson> lesson, std::size_t step,
     go_to(std::min(step, lesson_->steps.size() - 1), scene);
 }
 
-void LessonPlayer::replace(std::shared_ptr<const Lesson> lesson, const Scene& scene) {
+void LessonPlayer::replace(std::shared_ptr<const Lesson> lesson, std::size_t step) {
     lesson_ = std::move(lesson);
     answers_.resize(lesson_->steps.size());
-    go_to(std::min(step_, lesson_->steps.size() - 1), scene);
+    step_ = std::min(step, lesson_->steps.size() - 1);
+    way_.reset();
 }
 
 void LessonPlayer::go_to(std::size_t step, const Scene& scene) {

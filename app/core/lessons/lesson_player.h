@@ -23,8 +23,8 @@ public:
 
     /// From the scene as it is to a step of the lesson.
     void start(std::shared_ptr<const Lesson> lesson, std::size_t step, const Scene& scene);
-    /// Another version of the lesson: it goes on at the same step, or at its last.
-    void replace(std::shared_ptr<const Lesson> lesson, const Scene& scene);
+    /// Another version of the lesson, or another one: at this step, whose scene nothing moves to.
+    void replace(std::shared_ptr<const Lesson> lesson, std::size_t step);
     void stop() { lesson_.reset(), way_.reset(); }
     bool running() const { return lesson_ != nullptr; }
 

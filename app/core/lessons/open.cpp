@@ -166,15 +166,18 @@ Scene with_mesh(Scene scene, const std::string& file) {
     return scene;
 }
 
-void save_scene(const Scene& scene, const fs::path& file) {
-    Scene portable = scene;
-    if (MeshSurface* m = std::get_if<MeshSurface>(&portable.surface)) {
+Scene as_saved_in(Scene scene, const fs::path& file) {
+    if (MeshSurface* m = std::get_if<MeshSurface>(&scene.surface)) {
         std::error_code error;
         const fs::path folder = fs::absolute(file, error).parent_path();
         const fs::path relative = fs::proximate(fs::absolute(m->mesh, error), folder, error);
         if (!error) m->mesh = relative.generic_string();  // which every system reads
     }
-    write_file(file, scene_text(portable) + "\n");
+    return scene;
+}
+
+void save_scene(const Scene& scene, const fs::path& file) {
+    write_file(file, scene_text(as_saved_in(scene, file)) + "\n");
 }
 
 bool is_built_in_scene(const std::string& name) { return scene_text_of(name).has_value(); }

@@ -44,6 +44,8 @@ std::vector<Lesson> load_lessons(const std::string& name);
 /// The scene with a mesh file as its surface and all else kept.
 Scene with_mesh(Scene scene, const std::string& file);
 
+/// The scene as a file holds it: a mesh is named from there.
+Scene as_saved_in(Scene scene, const std::filesystem::path& file);
 /// Writes to a temporary file and renames, so that a full disk or a kill loses nothing. Throws InputError.
 void save_scene(const Scene& scene, const std::filesystem::path& file);
 

@@ -22,7 +22,26 @@ void merge(Json& into, const Json& patch) {
     }
 }
 
+Json changes(const Json& before, const Json& after) {
+    Json patch = Json::object();
+    for (const auto& [key, value] : after.items()) {
+        const auto old = before.find(key);
+        if (old != before.end() && *old == value) continue;
+        // A surface is written whole: what one kind has, another lacks.
+        const bool both = old != before.end() && old->is_object() && value.is_object() && key != "surface";
+        patch[key] = both ? changes(*old, value) : value;
+    }
+    return patch;
+}
+
 }  // namespace
+
+Json patch_between(const Scene& before, const Scene& after) {
+    Json patch = changes(scene_json(before), scene_json(after));
+    patch.erase("theme");
+    if (!after.about.empty() && !same_subject(before, after)) patch["about"] = after.about;
+    return patch;
+}
 
 Scene with_patch(const Scene& scene, const Json& patch, const JsonPath& path) {
     if (!patch.is_object()) fail_kind(path, "an object: the scene's keys that change", patch);

@@ -12,4 +12,7 @@ namespace normalscope {
 /// of other things. Throws JsonError.
 Scene with_patch(const Scene& scene, const nlohmann::ordered_json& patch, const JsonPath& path);
 
+/// What with_patch makes the second scene of the first by; the room's light is no part of it.
+nlohmann::ordered_json patch_between(const Scene& before, const Scene& after);
+
 }  // namespace normalscope

@@ -29,10 +29,11 @@ struct Purpose {
     std::string_view ending;  ///< added to a name that has none; empty: never
     std::string_view name;    ///< to begin with
 };
-constexpr std::array<Purpose, 4> kPurposes{{
+constexpr std::array<Purpose, 5> kPurposes{{
     {"Open a scene or a mesh", "Open", "", ""},
     {"Open a mesh", "Open", "", ""},
     {"Save the scene", "Save", ".json", "scene.json"},
+    {"Save the lesson", "Save", ".json", "lesson.json"},
     {"Save the picture", "Save", ".png", "normalscope.png"},
 }};
 const Purpose& about(For purpose) { return kPurposes[static_cast<std::size_t>(purpose)]; }
@@ -42,7 +43,8 @@ std::vector<std::string_view> endings(For purpose) {
     switch (purpose) {
         case For::OpenAny: meshes.insert(meshes.begin(), ".json"); return meshes;
         case For::OpenMesh: return meshes;
-        case For::SaveScene: return {".json"};
+        case For::SaveScene:
+        case For::SaveLesson: return {".json"};
         case For::SavePicture: return {".png", ".svg"};
     }
     return {};
@@ -53,6 +55,7 @@ std::string filter(For purpose) {
         case For::OpenAny: return "scenes and meshes (.json " + mesh_endings_in_words(" ", " ") + ")";
         case For::OpenMesh: return "meshes (" + mesh_endings_in_words(" ", " ") + ")";
         case For::SaveScene: return "scenes (.json)";
+        case For::SaveLesson: return "lessons (.json)";
         case For::SavePicture: return "pictures (.png, or .svg: its vector parts)";
     }
     return {};
@@ -87,6 +90,7 @@ void FileDialog::finish(const fs::path& file, Requests& requests) {
         case For::OpenAny: requests.open = file.string(); break;
         case For::OpenMesh: requests.open_mesh = file.string(); break;
         case For::SaveScene: requests.save_scene = file; break;
+        case For::SaveLesson: requests.save_lesson = file; break;
         case For::SavePicture: requests.save_picture = file; break;
     }
     name_ = saves() ? shown(file.filename()) : "";

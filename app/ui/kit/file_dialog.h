@@ -12,7 +12,7 @@ namespace normalscope {
 /// A dialog for one file at a time, in the window itself: it looks the same everywhere, and needs no toolkit.
 class FileDialog {
 public:
-    enum class For { OpenAny, OpenMesh, SaveScene, SavePicture };
+    enum class For { OpenAny, OpenMesh, SaveScene, SaveLesson, SavePicture };
 
     /// Shows it from the next frame on. What was typed is kept from the last time, and so is the folder.
     void open(For purpose);
@@ -26,7 +26,7 @@ public:
     void draw(const Look& look, ExtraLetters& letters, Requests& requests);
 
 private:
-    bool saves() const { return purpose_ == For::SaveScene || purpose_ == For::SavePicture; }
+    bool saves() const { return purpose_ >= For::SaveScene; }
     // Its parts, from top to bottom.
     void title(const Look& look);
     void list(const Look& look, Requests& requests);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/lessons/writing.h"
 #include "core/surface/surface.h"
 
 #include <cstddef>
@@ -15,6 +16,9 @@ struct Reply {
     Asked asked;
     std::size_t choice;
 };
+
+/// A lesson is to be written: a new one, or the one that is gone through; or that is done for now.
+enum class Writing { New, ThisLesson, Done };
 
 /// What the interface asks of the program, beyond edits of the scene.
 struct Requests {
@@ -33,6 +37,10 @@ struct Requests {
     bool save = false;                     ///< to the open file, or to one that is asked for
     std::optional<std::filesystem::path> save_scene;
     std::optional<std::filesystem::path> save_picture;
+    std::optional<Writing> writing;
+    std::optional<Draft> edit;  ///< what is written is this from now on
+    bool save_lesson_as = false;
+    std::optional<std::filesystem::path> save_lesson;
     std::optional<Reply> reply;
 };
 
@@ -43,7 +51,9 @@ struct Status {
     std::string file;       ///< the open scene's file or name; empty if none
     bool has_file = false;  ///< which is the user's, and can be saved to
     bool by_hand = false;   ///< a user's hand changes the scene, and no command does
-    bool as_named = true;   ///< surface and map are still those of which the scene's `about` speaks
+    bool in_lesson = false;
+    Draft draft{};         ///< the lesson that is being written
+    bool as_named = true;  ///< surface and map are still those of which the scene's `about` speaks
 };
 
 }  // namespace normalscope

@@ -29,8 +29,14 @@ void Lecture::start(std::shared_ptr<const Lesson> lesson, const Scene& scene, st
 }
 
 void Lecture::replace(std::shared_ptr<const Lesson> lesson, const Scene& scene) {
-    player.replace(std::move(lesson), scene);
+    player.replace(std::move(lesson), player.number());
     go_to(player.number(), scene);
+}
+
+void Lecture::follow(const Draft& draft) {
+    exercises.stop();
+    player.replace(draft.lesson, draft.step);
+    announced_ = Announced::Nothing;
 }
 
 void Lecture::leave(Scene& scene) {

@@ -2,6 +2,7 @@
 
 #include "core/lessons/lesson_player.h"
 #include "core/lessons/shelf.h"
+#include "core/lessons/writing.h"
 #include "ui/kit/style.h"
 #include "ui/lecture/caption_strip.h"
 #include "ui/lecture/exercise_view.h"
@@ -25,8 +26,10 @@ public:
     std::map<std::string, std::size_t> progress;  ///< the step at which each lesson was left
 
     void start(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::optional<std::size_t> step);
-    /// Another version of the lesson that is gone through.
+    /// Another version of the lesson that is gone through, at the same step or its last.
     void replace(std::shared_ptr<const Lesson> lesson, const Scene& scene);
+    /// What is being written, as it is now; nothing moves.
+    void follow(const Draft& draft);
     /// A lesson's step stays, to be played with; exercises give back the scene that was there before them.
     void leave(Scene& scene);
     /// Pictures are made of it, one by one: it moves by itself no more.

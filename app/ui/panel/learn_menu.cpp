@@ -43,7 +43,6 @@ std::string progress_of(const ListedLesson& lesson, const std::map<std::string, 
 
 void lessons(const char* title, bool built_in, const PanelContext& context) {
     const auto wanted = [&](const ListedLesson& lesson) { return is_built_in_lesson(lesson.name) == built_in; };
-    if (std::ranges::none_of(context.shelf, wanted)) return;
     heading(context.look, title);
     for (const ListedLesson& lesson : context.shelf) {
         if (!wanted(lesson)) continue;
@@ -54,12 +53,31 @@ void lessons(const char* title, bool built_in, const PanelContext& context) {
         ImGui::PopID();
         if (!lesson.about.empty()) tip(context.look, lesson.about.c_str());
     }
-    ImGui::Separator();
+}
+
+void writing(const Scene& scene, const PanelContext& context) {
+    const Look& look = context.look;
+    const Status& status = context.status;
+    if (status.draft.lesson) {
+        if (row(look, "Add this view as a step", "", false)) {
+            context.requests.edit =
+                Draft{std::make_shared<const Lesson>(with_step_after(*status.draft.lesson, status.draft.step, scene)),
+                      status.draft.step + 1};
+            context.requests.writing = Writing::ThisLesson;
+        }
+        tip(look, "What you see becomes the step behind this one.");
+    }
+    if (status.in_lesson) {
+        if (row(look, "Change this lesson", "", false)) context.requests.writing = Writing::ThisLesson;
+        tip(look, "Its words, and its steps. A built-in one stays as it is: yours is saved by another name.");
+    }
+    if (row(look, "Write a lesson", "", false)) context.requests.writing = Writing::New;
+    tip(look, "It begins with what you see: add views as steps, and words to each.");
 }
 
 }  // namespace
 
-void learn_menu(PanelMemory& memory, const PanelContext& context) {
+void learn_menu(const Scene& scene, PanelMemory& memory, const PanelContext& context) {
     const Look& look = context.look;
     ImGui::PushStyleColor(ImGuiCol_Button, look.accent);
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(look.accent, 0.85f));
@@ -75,7 +93,10 @@ void learn_menu(PanelMemory& memory, const PanelContext& context) {
     if (!ImGui::BeginPopup("##learning")) return;
     if (ImGui::IsWindowAppearing()) context.requests.list_lessons = true;
     lessons("Lessons", true, context);
+    ImGui::Separator();
     lessons("Your lessons", false, context);
+    writing(scene, context);
+    ImGui::Separator();
     heading(look, "Exercises");
     if (row(look, "Where does this normal go?", "without end", context.status.file.starts_with("exercises")))
         context.requests.open = "exercises";

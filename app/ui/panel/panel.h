@@ -12,7 +12,7 @@ void draw_panel(Scene& scene, PanelMemory& memory, const PanelContext& context);
 // Its parts, from top to bottom.
 void toolbar(Scene& scene, PanelMemory& memory, const PanelContext& context);
 /// Lessons with their progress, exercises, the gallery.
-void learn_menu(PanelMemory& memory, const PanelContext& context);
+void learn_menu(const Scene& scene, PanelMemory& memory, const PanelContext& context);
 /// The cofactor's rule is a first look's only where it is spoken of, or alone has the answer.
 bool cofactor_in_sight(const Scene& scene, const PanelContext& context);
 void rule_buttons(const Scene& scene, const PanelContext& context);

@@ -65,7 +65,7 @@ void toolbar(Scene& scene, PanelMemory& memory, const PanelContext& context) {
     const Look& look = context.look;
     constexpr int kIcons = 6;
     const float side = look.px(kIconSide), gap = look.px(2);
-    learn_menu(memory, context);
+    learn_menu(scene, memory, context);
     ImGui::SameLine(0, look.px(6));
     scene_menu(memory, context, ImGui::GetContentRegionAvail().x - kIcons * (side + gap) - look.px(4));
     ImGui::SameLine(0, look.px(4) + gap);
@@ -76,9 +76,11 @@ void toolbar(Scene& scene, PanelMemory& memory, const PanelContext& context) {
     };
     if (button("##open", {.icon = Icon::Open, .about = "Open a scene or a mesh… (Ctrl+O)", .side = kIconSide}))
         context.dialog.open(FileDialog::For::OpenAny);
-    if (button(
-            "##save",
-            {.icon = Icon::Save, .about = "Save the scene (Ctrl+S; by another name: Ctrl+Shift+S)", .side = kIconSide}))
+    if (button("##save",
+               {.icon = Icon::Save,
+                .about = context.status.draft.lesson ? "Save the lesson (Ctrl+S; by another name: Ctrl+Shift+S)"
+                                                     : "Save the scene (Ctrl+S; by another name: Ctrl+Shift+S)",
+                .side = kIconSide}))
         context.requests.save = true;
     share_menu(scene, context);
     ImGui::SameLine(0, gap);

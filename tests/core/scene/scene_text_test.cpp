@@ -2,8 +2,10 @@
 
 #include "core/base/error.h"
 #include "core/scene/scene_json.h"
+#include "core/scene/scene_patch.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace normalscope {
 namespace {
@@ -47,6 +49,17 @@ TEST(SceneText, ReadsBackExactly) {
     for (int i = 0; i < 3000 && !HasFailure(); ++i) {
         const Scene scene = random_scene(random);
         EXPECT_EQ(parse_scene(scene_text(scene), "text"), scene) << scene_text(scene);
+    }
+}
+
+TEST(ScenePatch, LeadsFromOneSceneToAnother) {
+    Random random(23);
+    for (int i = 0; i < 1000 && !HasFailure(); ++i) {
+        const Scene from = random_scene(random);
+        Scene to = random_scene(random);
+        to.theme = from.theme;
+        EXPECT_EQ(with_patch(from, patch_between(from, to), {}), to);
+        EXPECT_TRUE(patch_between(from, from).empty());
     }
 }
 

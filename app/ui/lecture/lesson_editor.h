@@ -1,0 +1,38 @@
+#pragma once
+
+#include "core/frame/frame.h"
+#include "core/lessons/writing.h"
+#include "ui/kit/requests.h"
+#include "ui/kit/style.h"
+
+#include <string>
+
+namespace normalscope {
+
+/// What it looks at.
+struct EditedLesson {
+    const Look& look;
+    const Draft& draft;
+    const Scene& scene;  ///< what is seen, which may be another than the step's
+    PixelRect picture;
+    bool strayed = false;  ///< it is another
+};
+
+/// The words of a lesson's step, to be written, and what can be done with its steps: a small window over the picture, which
+/// can be moved. All that it changes goes by `requests`.
+class LessonEditor {
+public:
+    void draw(const EditedLesson& edited, Requests& requests);
+
+private:
+    void read(const EditedLesson& edited);
+    void words(const EditedLesson& edited, Requests& requests);
+    void steps(const EditedLesson& edited, Requests& requests) const;
+    void ending(const EditedLesson& edited, Requests& requests) const;
+
+    Draft shown_;  ///< whose words the fields hold
+    bool typing_ = false;
+    std::string title_, caption_, look_at_, equations_;
+};
+
+}  // namespace normalscope

@@ -1,0 +1,141 @@
+// A lesson is written in the window.
+
+#include "core/base/file.h"
+#include "viewer/hosted.h"
+
+namespace normalscope {
+namespace {
+
+class WritingLessonsTest : public ViewerTest {
+protected:
+    const Lesson& lesson() const { return lecture().player.lesson(); }
+    std::size_t step() const { return lecture().player.number(); }
+    void learn(const char* row) {
+        click(Item("##panel/##always") / "Learn");
+        click(Item("##Popup") / row);
+    }
+    void press_in_editor(const char* button) { click(Item("##writing") / button); }
+    static bool editor_is_shown() {
+        const ImGuiWindow* window = ImGui::FindWindowByName("##writing");
+        return window && window->Active;
+    }
+    void undo() { key(ImGuiMod_Ctrl | ImGuiKey_Z); }
+    std::string own() const { return path("mine.json"); }
+};
+
+TEST_F(WritingLessonsTest, ALessonIsWrittenFromViews) {
+    start();
+    EXPECT_FALSE(editor_is_shown());
+    learn("Write a lesson");
+    ASSERT_TRUE(editor_is_shown());
+    EXPECT_EQ(lesson().steps.size(), 1u);
+    EXPECT_TRUE(is_unsaved());
+    const Scene first = scene();
+    EXPECT_EQ(lesson().steps[0].scene, first);
+
+    key(ImGuiKey_R);  // another transform
+    const Scene second = scene();
+    ASSERT_NE(second, first);
+    press_in_editor("Add this view as a step");
+    EXPECT_EQ(lesson().steps.size(), 2u);
+    EXPECT_EQ(step(), 1u);
+    EXPECT_EQ(lesson().steps[1].scene, second);
+    key(ImGuiKey_PageUp);
+    EXPECT_EQ(scene(), first);
+
+    click(Item("##writing") / "##Title");
+    key(ImGuiMod_Ctrl | ImGuiKey_A);
+    type("Mine");
+    click(ground());
+    EXPECT_EQ(lesson().title, "Mine");
+
+    answer_dialog(ImGuiKey_S, own());
+    EXPECT_FALSE(is_unsaved());
+    EXPECT_EQ(named(), "mine.json");
+    const Lesson read = load_lesson(own());
+    EXPECT_EQ(read.title, "Mine");
+    ASSERT_EQ(read.steps.size(), 2u);
+    EXPECT_EQ(read.steps[0].scene, first);
+    EXPECT_EQ(read.steps[1].scene, second);
+    wait(3);  // its own file is no news
+    EXPECT_EQ(message().find("again"), std::string::npos);
+}
+
+TEST_F(WritingLessonsTest, StepsChangePlacesAndGoAndAllIsUndone) {
+    start(light(), "5-composite-of-inverses#2");
+    const Lesson before = lesson();
+    learn("Change this lesson");
+    EXPECT_FALSE(is_unsaved());
+    press_in_editor("Later");
+    EXPECT_EQ(step(), 2u);
+    EXPECT_EQ(lesson().steps[2].caption, before.steps[1].caption);
+    EXPECT_TRUE(is_unsaved());
+    press_in_editor("Remove");
+    EXPECT_EQ(lesson().steps.size(), before.steps.size() - 1);
+    EXPECT_EQ(step(), 2u);
+    EXPECT_EQ(scene().stack, before.steps[3].scene.stack);
+    undo();
+    EXPECT_EQ(lesson().steps.size(), before.steps.size());
+    EXPECT_EQ(lesson().steps[2].caption, before.steps[1].caption);
+    undo();
+    EXPECT_EQ(lesson().steps[1].caption, before.steps[1].caption);
+    EXPECT_EQ(step(), 1u);
+    EXPECT_FALSE(is_unsaved());
+    key(ImGuiMod_Ctrl | ImGuiMod_Shift | ImGuiKey_Z);
+    EXPECT_EQ(lesson().steps[2].caption, before.steps[1].caption);
+    undo();
+    undo();  // nothing is written any more
+    EXPECT_FALSE(editor_is_shown());
+    EXPECT_EQ(named(), "5-composite-of-inverses");
+    EXPECT_TRUE(lecture().player.running());
+}
+
+TEST_F(WritingLessonsTest, NothingIsLostUnasked) {
+    start();
+    learn("Write a lesson");
+    press_in_editor("Add this view as a step");
+    key(ImGuiKey_Escape);
+    ASSERT_TRUE(asked());
+    key(ImGuiKey_Enter);
+    EXPECT_FALSE(lecture().player.running());
+    viewer().close();
+    settle();
+    EXPECT_TRUE(asked());
+    EXPECT_FALSE(host_.closed);
+    EXPECT_TRUE(lecture().player.running()) << "what is asked about is seen";
+    key(ImGuiKey_S);
+    type(own());
+    key(ImGuiKey_Enter);
+    EXPECT_TRUE(host_.closed);
+    EXPECT_EQ(load_lesson(own()).steps.size(), 2u);
+}
+
+TEST_F(WritingLessonsTest, NoSceneIsWrittenOver) {
+    const auto file = write("scene.json", R"({"normalscope": 1})");
+    start();
+    learn("Write a lesson");
+    answer_dialog(ImGuiKey_S, file.string());
+    key(ImGuiKey_Enter);  // overwrite
+    EXPECT_NE(message().find("holds a scene"), std::string::npos) << message();
+    EXPECT_EQ(read_file(file, 1 << 16), R"({"normalscope": 1})");
+    EXPECT_TRUE(is_unsaved());
+}
+
+TEST_F(WritingLessonsTest, WhatAnotherProgramWroteIsNotTakenOverOnesOwn) {
+    const auto file = write("mine.json", R"({"normalscope": 1, "lesson": "L", "steps": [{"caption": "a"}]})");
+    start(light(), file.string());
+    learn("Change this lesson");
+    write("mine.json", R"({"normalscope": 1, "lesson": "Later", "steps": [{"caption": "a"}]})");
+    wait(3);
+    EXPECT_EQ(lesson().title, "Later");
+    EXPECT_FALSE(is_unsaved());
+    press_in_editor("Add this view as a step");
+    write("mine.json", R"({"normalscope": 1, "lesson": "Even later", "steps": [{"caption": "a"}]})");
+    wait(1.2);
+    EXPECT_NE(message().find("saving would write over it"), std::string::npos) << message();
+    EXPECT_EQ(lesson().title, "Later");
+    EXPECT_EQ(lesson().steps.size(), 2u);
+}
+
+}  // namespace
+}  // namespace normalscope
