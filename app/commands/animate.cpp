@@ -59,12 +59,17 @@ Film film_of(const Lesson& lesson, int frames_per_second, const std::optional<do
     const int moving = pictures_in(LessonPlayer::kSeconds);
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const LessonStep& step = lesson.steps[i];
+        const Scene begins = on_path(step.scene, step.paths, 0.0);
         for (int k = 1; i > 0 && k < moving; ++k) {
             const double t = static_cast<double>(k) / moving;
-            film.pictures.push_back(
-                {.scene = LessonPlayer::between(lesson.steps[i - 1].scene, step.scene, t), .step = i});
+            film.pictures.push_back({.scene = LessonPlayer::between(lesson.steps[i - 1].scene, begins, t), .step = i});
             film.subtitles.pause(1.0 / frames_per_second);
         }
+        const int moved = step.paths.empty() ? 0 : pictures_in(ScenePath::kSeconds);
+        for (int k = 0; k < moved; ++k)
+            film.pictures.push_back(
+                {.scene = on_path(step.scene, step.paths, static_cast<double>(k) / moved), .step = i});
+        film.subtitles.pause(static_cast<double>(moved) / frames_per_second);
         hold({.scene = step.scene, .step = i}, seconds.value_or(seconds_of(step)),
              step.caption + (step.question ? " " + step.question->text : ""));
         if (!step.question) continue;

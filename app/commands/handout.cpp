@@ -82,6 +82,20 @@ std::string words(const LessonStep& step, std::size_t number, const HandoutComma
     return html;
 }
 
+// What the step opens beside the picture stands below it, as wide, in letters that can be read on paper.
+std::string tab_html(const LessonStep& step, Studio& studio, int picture_width) {
+    constexpr int kLogicalWidth = 460;
+    const int width = std::max(picture_width, kLogicalWidth);
+    const Image image = studio
+                            .capture(step.scene, {.size = {width + width / 3, 3 * width},  // a page's height
+                                                  .scale = static_cast<float>(width) / kLogicalWidth,
+                                                  .tab = step.tab,
+                                                  .tab_alone = true,
+                                                  .marks = marks_of(step)})
+                            .image;
+    return "  <img class=\"tab\" alt=\"" + html_text(step.tab) + "\" src=\"" + data_of(image) + "\">\n";
+}
+
 std::string handout(const HandoutCommand& command) {
     const std::vector<Lesson> lessons = load_lessons(command.lesson);
     FilesOfRun files;
@@ -107,8 +121,9 @@ std::string handout(const HandoutCommand& command) {
                                                           .scale = kLargeWords * usual_scale(command.size),
                                                           .marks = marks_of(step)})
                                     .image;
-            html += "<section>\n" + picture_html(step, data_of(image), live ? live->attributes(step.scene) : "") +
-                    words(step, i + 1, command) + "</section>\n";
+            html += "<section>\n" + picture_html(step, data_of(image), live ? live->attributes(step.scene) : "");
+            if (!step.tab.empty()) html += tab_html(step, studio, command.size.x);
+            html += words(step, i + 1, command) + "</section>\n";
         }
         html += "</div>\n";
         if (command.answers == HandoutCommand::Answers::End) html += answers(lesson);

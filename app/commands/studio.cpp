@@ -22,6 +22,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <optional>
 
 namespace normalscope {
@@ -37,6 +39,25 @@ bool has_words(const Frame& frame) {
 std::string unknown_tab(const std::string& tab) {
     if (tab.starts_with("derivation#")) return "--tab " + tab + ": its lines are derivation#1 to derivation#12";
     return "--tab " + tab + ": there is no such tab; known: " + joined(tab_names(), " ");
+}
+
+std::uint32_t pixel_of(const Image& image, int x, int y) {
+    std::uint32_t pixel = 0;
+    std::memcpy(&pixel, image.pixel(x, y), sizeof pixel);
+    return pixel;
+}
+
+// From this column on, and down to the last row that holds anything but ground.
+Image what_is_full(const Image& image, int left) {
+    const std::uint32_t ground = pixel_of(image, left, image.size.y - 1);
+    const auto is_ground = [&](int y) {
+        for (int x = left; x < image.size.x; ++x)
+            if (pixel_of(image, x, y) != ground) return false;
+        return true;
+    };
+    int height = image.size.y;
+    while (height > 1 && is_ground(height - 1)) --height;
+    return cropped(image, {left, 0}, {image.size.x - left, std::min(height + 16, image.size.y)});
 }
 
 }  // namespace
@@ -62,7 +83,9 @@ struct Studio::Equipment {
         new_gui();
         if (options.lesson) gui->interface.record_lesson(options.lesson, scene, options.step, options.answer);
         gui->interface.prepare(scene.theme, scale);
-        if (!options.lesson && !gui->interface.show_tab(options.tab)) throw UsageError(unknown_tab(options.tab));
+        Interface& interface = gui->interface;
+        if (!options.lesson && !(options.panel ? interface.show_tab(options.tab) : interface.record_tab(options.tab)))
+            throw UsageError(unknown_tab(options.tab));
         return gui->interface.picture(options.size);
     }
 
@@ -130,7 +153,7 @@ Capture Studio::draw(const Scene& scene, const CaptureOptions& options, const st
     const float scale = options.lesson ? DisplayScale{}.of(1.0f, options.size, true)
                                        : options.scale.value_or(options.panel ? usual_panel_scale(options.size)
                                                                               : usual_scale(options.size));
-    const bool interface = options.panel || options.lesson;
+    const bool interface = options.panel || options.lesson || !options.tab.empty();
     const std::shared_ptr<const Surface> surface = loading.get();
     // The interface remembers what it showed last, which must not change this picture; words alone are forgotten.
     struct Forget {
@@ -142,11 +165,11 @@ Capture Studio::draw(const Scene& scene, const CaptureOptions& options, const st
     } const forget{equipment_->gui, interface};
     const PixelRect rect =
         interface ? equipment_->open_interface(scene, options, scale) : PixelRect{{0, 0}, options.size};
-    Frame frame = make_frame(scene, surface,
-                             {.rect = rect,
-                              .pixel_scale = scale,
-                              .handles = options.panel,
-                              .marks = interface ? equipment_->gui->interface.marks() : options.marks});
+    StepMarks marks = options.lesson ? equipment_->gui->interface.marks() : options.marks;
+    if (interface && !options.lesson)
+        if (const auto line = equipment_->gui->interface.marks().line) marks.line = line;
+    Frame frame =
+        make_frame(scene, surface, {.rect = rect, .pixel_scale = scale, .handles = options.panel, .marks = marks});
     if (plain_ground) {
         frame.plain_ground = plain_ground;
         frame.ground_height.reset();
@@ -168,6 +191,7 @@ Capture Studio::draw(const Scene& scene, const CaptureOptions& options, const st
     if (words) {
         words.get();
         equipment_->gui->paint(result.image);
+        if (options.tab_alone) result.image = what_is_full(result.image, rect.origin.x + rect.size.x + 2);
     }
     if (options.numbers)
         result.numbers = numbers_text(scene, frame,

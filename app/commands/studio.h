@@ -22,7 +22,8 @@ struct CaptureOptions {
     Ground ground = Ground::Scene;
     std::optional<float> scale;  ///< of words and lines; usual_scale where it is not given
     bool panel = false;          ///< the interface too
-    std::string tab;             ///< the tab beside the picture, with the interface; empty: none
+    std::string tab;             ///< the tab beside the picture; empty: none
+    bool tab_alone = false;      ///< of the picture no more than that tab, as high as it is full
     bool numbers = false;        ///< fill Capture::numbers
     /// With a lesson: what its step says, below the picture, as in presenter mode.
     std::shared_ptr<const Lesson> lesson{};

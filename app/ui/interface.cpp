@@ -118,7 +118,8 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
                     .progress = s.lecture.progress});
     s.draw_editor(scene, frame, status, requests);
     if (!s.lecture.exercises.running())
-        draw_side_panel(scene, tabs, s.side, {.look = s.look, .frame = frame, .status = status},
+        draw_side_panel(scene, tabs, s.side,
+                        {.look = s.look, .frame = frame, .status = status, .recorded = s.lecture.recorded},
                         static_cast<float>(room.side));
     if (!ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive() && !s.asks() && !ImGui::GetIO().KeyMods &&
         ImGui::IsKeyPressed(ImGuiKey_D, false))
@@ -138,8 +139,12 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
         requests.reply.reset();
     }
     if (scene.stack != before) undo_overflow(scene, before, s.messages);
+    s.derivation.recorded = s.lecture.recorded;
+    ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab,
+                          s.lecture.recorded ? ImVec4{} : ImGui::GetStyleColorVec4(ImGuiCol_ScrollbarGrab));
     s.derivation.draw(s.look, scene, frame, derivation_shown() && !s.lecture.exercises.running(),
                       s.look.px(kTabsHeight));
+    ImGui::PopStyleColor();
     s.letters.want(s.messages.text(), s.look.fonts.body);
     s.letters.want(status.file, s.look.fonts.body);
     s.letters.want(s.panel.formula.draft.text, s.look.fonts.body);
@@ -185,6 +190,11 @@ bool Interface::show_tab(std::string_view id) {
     if (!id.empty()) state_->side.open = static_cast<std::size_t>(found - kTabs.begin());
     if (line) state_->derivation.step_from(*line);
     return true;
+}
+bool Interface::record_tab(std::string_view id) {
+    state_->lecture.recorded = true;
+    state_->panel_shown = state_->drawer_open = false;
+    return show_tab(id);
 }
 bool Interface::typing_formula() const { return state_->panel.formula.typing(); }
 Unfolded& Interface::unfolded() { return state_->unfolded; }

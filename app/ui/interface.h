@@ -73,6 +73,8 @@ public:
     /// Opens a tab beside the picture, by its name (core/lessons/tabs.h); an empty one closes it. "derivation#5" is gone
     /// through step by step, from the fifth line on. False for an unknown name.
     bool show_tab(std::string_view id);
+    /// The same for a picture that shows nothing else beside it, and nothing to press.
+    bool record_tab(std::string_view id);
     /// While the stack or a lesson is being played the scene changes by itself: what it goes through is nothing to be
     /// undone.
     bool playing() const;

@@ -17,7 +17,7 @@ struct Origin {
     std::string file;           ///< or the name of whatever is built in; empty: none
     bool is_the_users = false;  ///< a scene file, which can be saved to without asking
     Scene saved;
-    bool is_play = false;                          ///< a lesson's or an exercise's: what is done there is no work
+    bool is_play = false;  ///< a lesson's or an exercise's: what is done there is no work
     /// Where a mesh was opened into work that has no file, that work is this one by now.
     std::shared_ptr<const Origin> goes_on_from{};
     std::shared_ptr<const Lesson> saved_lesson{};  ///< of a lesson that is written: what its file holds

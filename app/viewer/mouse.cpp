@@ -26,6 +26,7 @@ void Viewer::press(int button, ImGuiKeyChord modifiers) {
     wake();
     end_greeting();
     catch_up();
+    (void)end_path();
     gui_.button(button, true, modifiers);
     if (!frame_ || gui_.wants_mouse() || lecture().exercises.grab(*frame_, document_.scene, scale(), pointer_at_))
         return;

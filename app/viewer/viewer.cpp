@@ -88,6 +88,13 @@ void Viewer::end_greeting() {
     if (std::exchange(greeting_, false)) gui_.interface.finish_playing(document_.scene);
 }
 
+bool Viewer::end_path() {
+    LessonPlayer& player = lecture().player;
+    if (!player.running() || !player.on_path()) return false;
+    player.arrive(document_.scene);
+    return true;
+}
+
 double Viewer::due() const {
     if (frames_wanted_ > 0 || swing_ || carrying_since_) return 0.0;
     double wait = std::max(wake_at() - host_.now(), 0.0);

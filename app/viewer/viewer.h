@@ -92,6 +92,8 @@ private:
     }
     void wake();
     void end_greeting();
+    /// What a step shows by itself is over with any press; of a key's, that is all. Whether it was.
+    bool end_path();
     /// When the interface wants to be drawn again though nothing happens, by the host's clock.
     double wake_at() const { return laid_out_at_ + gui_.interface.redraw_after(); }
 

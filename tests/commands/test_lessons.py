@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Every built-in lesson from end to end: each step is drawn, and its caption's numbers are those of the scene."""
 
+import base64
 import html.parser
 import json
 import os
@@ -12,7 +13,7 @@ import subprocess
 import time
 import unittest
 
-from support import NORMALSCOPE, SMALL, CommandTest, png_pixels, run
+from support import NORMALSCOPE, SMALL, CommandTest, colours, png_pixels, png_size, run
 
 LESSONS = sorted((pathlib.Path(__file__).resolve().parents[2] / "assets" / "lessons").glob("*.json"))
 
@@ -182,6 +183,24 @@ class LessonsTest(CommandTest):
         self.assertIn("Ask &lt;first&gt;.", page("--notes"))
         self.assert_fails(2, "handout", lesson, "-o", "-", "--answers", "some", says=("expected end, inline or none",))
 
+    def test_a_steps_tab_is_shown(self):
+        """Below the picture on paper, beside it on a slide; with nothing to press, it is the same whatever was pressed before."""
+        def lesson(**keys):
+            return self.file("tab.json", json.dumps({"lesson": "Tab", "steps": [{"caption": "a", **keys}, {"caption": "b"}]}))
+        for tab in ("derivation", "derivation#3", "stack", "maps", "error", "ray"):
+            page = self.assert_done("handout", lesson(tab=tab), "-o", "-", "--size", "320x200").decode()
+            pictures = [base64.b64decode(found) for found in re.findall(r'src="data:image/png;base64,([^"]*)"', page)]
+            self.assertEqual(len(pictures), 3, tab)
+            width, height = png_size(pictures[1])
+            self.assertTrue(420 < width < 470 and 60 < height < 1380, (tab, width, height))
+            self.assertGreater(colours(pictures[1]), 20)
+        def slide(name, **keys):
+            self.assert_done("slides", lesson(**keys), "-o", self.folder / name, "--size", "320x180")
+            return [(self.folder / name / f"0{i}.png").read_bytes() for i in (1, 2)]
+        with_tab, without = slide("one", tab="stack"), slide("two")
+        self.assertNotEqual(with_tab[0], without[0])
+        self.assertEqual(with_tab[1], without[1])
+
     def test_a_handout_of_all_lessons(self):
         page = self.assert_done("handout", "all", "-o", "-", "--size", "96x60").decode()
         self.assertEqual(page.count("<article>"), len(LESSONS))
@@ -313,6 +332,12 @@ class AnimateTest(CommandTest):
         self.assertEqual(cues, [(0, 6, words), (6, 9, "a &lt; b."), (9, 18, "c")])
         self.assertEqual(len(pictures), 18)
         self.assertEqual(self.film({"caption": "One. Two."}, arguments=("--seconds", 2))[1], [(0, 0.889, "One."), (0.889, 2, "Two.")])
+
+    def test_a_path_is_shown_before_a_step_stands(self):
+        pictures, cues = self.film({"caption": "a", "scene": {"stack": [{"scale": [1, 1, 1]}]}},
+                                   {"caption": "b", "path": {"stack.0.scale.1": [1, 3]}})
+        self.assertEqual((len(pictures), cues), (9, [(0, 3, "a"), (6, 9, "b")]))
+        self.assertEqual([len(set(pictures[a:b])) for a, b in ((0, 3), (3, 7), (6, 9))], [1, 4, 1])
 
     def test_a_question_waits_and_is_answered(self):
         question = {"ask": "Which?", "choices": [{"text": "one", "because": "No."}, {"text": "two", "right": True, "because": "So it is."}]}

@@ -184,6 +184,31 @@ TEST_F(LessonsTest, AFileIsReadAgainWhereOneStands) {
     EXPECT_EQ(message(), "Read mine.json again");
 }
 
+TEST_F(LessonsTest, AnyPressEndsWhatAStepShowsByItself) {
+    start_lesson(write("mine.json", R"({"lesson": "L", "steps": [{"caption": "a"}, {"caption": "b"},
+        {"caption": "c", "path": {"power": [1, -1]}}, {"caption": "d"}]})")
+                     .string() +
+                 "#2");
+    const auto begin = [&] {
+        viewer().press(KeyPress{ImGuiKey_PageDown});
+        viewer().release(KeyPress{ImGuiKey_PageDown});
+        for (int i = 0; i < 150; ++i) host_.time += 1.0 / 60.0, viewer().step();
+        EXPECT_TRUE(lecture().player.on_path());
+        EXPECT_NE(scene().power, -1.0);
+    };
+    begin();
+    key(ImGuiKey_PageDown);
+    EXPECT_EQ(scene().power, -1.0);
+    EXPECT_EQ(step(), 2u) << "and does nothing else";
+    key(ImGuiKey_PageDown);
+    EXPECT_EQ(step(), 3u);
+    keys({ImGuiKey_PageUp, ImGuiKey_PageUp});
+    begin();
+    press();
+    release();
+    EXPECT_EQ(scene().power, -1.0);
+}
+
 TEST_F(LessonsTest, LessonsOfOnesOwnLeadToOneAnother) {
     write("own/a.json", lesson_text("A", {1}));
     write("own/b.json", "{");

@@ -158,6 +158,10 @@ LessonStep read_step(const Json& json, const JsonPath& path, const Scene& before
     if (const Json* board = object.find("board")) step.board = read_board(*board, object.at("board"));
     if (const Json* what = object.find("highlight")) step.highlight = read_highlight(*what, object.at("highlight"));
     if (const Json* label = object.find("label")) step.labels = read_labels(*label, object.at("label"));
+    if (const Json* paths = object.find("path")) {
+        step.paths = read_paths(*paths, object.at("path"), step.scene);
+        step.scene = on_path(step.scene, step.paths, 1.0);
+    }
     step.notes = words_if_any(object, "notes", kLongestNotes);
     if (const Json* question = object.find("question")) step.question = read_question(*question, object.at("question"));
     if (const Json* numbers = object.find("numbers")) step.numbers = read_numbers(*numbers, object.at("numbers"));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/lessons/scene_path.h"
 #include "core/math/highlight.h"
 #include "core/math/point_label.h"
 #include "core/scene/scene.h"
@@ -40,7 +41,8 @@ struct LessonStep {
     std::optional<double> seconds;       ///< that it stands in a video; empty: as long as its words take to read
     std::optional<Highlight> highlight;  ///< the symbol and its arrow that stand out
     std::vector<PointLabel> labels;
-    std::string notes;  ///< for whoever teaches, never for a room
+    std::vector<ScenePath> paths;  ///< that lead to the scene, when the step is reached
+    std::string notes;             ///< for whoever teaches, never for a room
     std::optional<Question> question;
     std::string source;  ///< its JSON, of which save_lesson keeps what is not edited; empty: it is new
     /// What the caption claims: a dotted path in `--numbers` and its value. The tests hold it against the scene.

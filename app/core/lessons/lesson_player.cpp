@@ -49,9 +49,14 @@ void LessonPlayer::advance(double seconds, Scene& scene) {
         return;
     }
     way_->seconds += seconds;
-    if (!moves || way_->seconds >= kSeconds) return arrive(scene);
-    Scene next = between(way_->from, target(scene), way_->seconds / kSeconds);
-    if (next == target(scene)) return arrive(scene);
+    const Scene end = target(scene);
+    const std::vector<ScenePath>& paths = step().paths;
+    const double all = kSeconds + (paths.empty() ? 0.0 : ScenePath::kSeconds);
+    if (!moves || way_->seconds >= all) return arrive(scene);
+    Scene next = way_->seconds < kSeconds
+                     ? between(way_->from, normalscope::on_path(end, paths, 0.0), way_->seconds / kSeconds)
+                     : normalscope::on_path(end, paths, (way_->seconds - kSeconds) / ScenePath::kSeconds);
+    if (paths.empty() && next == end) return arrive(scene);
     scene = way_->shown = std::move(next);
 }
 

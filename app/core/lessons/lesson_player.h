@@ -40,6 +40,8 @@ public:
 
     /// On the way to the step.
     bool moving() const { return way_.has_value(); }
+    /// Of which the last part is what the step itself shows, once.
+    bool on_path() const { return way_ && way_->seconds >= kSeconds; }
     /// So many seconds further. Whoever changes the scene meanwhile stops the movement.
     void advance(double seconds, Scene& scene);
     /// Ends the movement at once.

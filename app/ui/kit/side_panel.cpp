@@ -88,12 +88,18 @@ void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& me
 
     const float close = look.px(30), margin = look.px(16);
     ImGui::SetCursorPos({margin, look.px(8)});
-    Row row{.width = width - margin - close - look.px(10)};
-    for (std::size_t i = 0; i < tabs.size(); ++i) row.tabs.push_back(i);
-    tab_row(look, tabs, memory, row);
-    ImGui::SameLine(width - close - look.px(8));
-    const bool closed =
-        icon_button(look, "##close", {.icon = Icon::Close, .about = "Close, and give the picture the room."});
+    bool closed = false;
+    if (context.recorded) {
+        ImGui::PushFont(look.fonts.strong);
+        ImGui::TextUnformatted(tabs[*memory.open].label);
+        ImGui::PopFont();
+    } else {
+        Row row{.width = width - margin - close - look.px(10)};
+        for (std::size_t i = 0; i < tabs.size(); ++i) row.tabs.push_back(i);
+        tab_row(look, tabs, memory, row);
+        ImGui::SameLine(width - close - look.px(8));
+        closed = icon_button(look, "##close", {.icon = Icon::Close, .about = "Close, and give the picture the room."});
+    }
 
     const std::size_t open = *memory.open;
     if (only_tabs || !tabs[open].draw) {  // or it was chosen just now
@@ -112,6 +118,8 @@ void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& me
     }
     ImGui::SetCursorPosX(1);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(right, 0));
+    ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab,
+                          context.recorded ? ImVec4{} : ImGui::GetStyleColorVec4(ImGuiCol_ScrollbarGrab));
     ImGui::PushID(static_cast<int>(open));  // each tab scrolls by itself
     const bool shown = ImGui::BeginChild("##tab", {width - 1, 0}, ImGuiChildFlags_AlwaysUseWindowPadding,
                                          ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_AlwaysVerticalScrollbar);
@@ -124,6 +132,7 @@ void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& me
     }
     ImGui::EndChild();
     ImGui::PopID();
+    ImGui::PopStyleColor();
     ImGui::End();
     if (closed) memory.open.reset();
 }

@@ -8,6 +8,7 @@ void want_letters_of(const Lesson& lesson, ExtraLetters& letters, const ImFont* 
     for (const LessonStep& step : lesson.steps) {
         want(step.caption);
         want(step.look_at);
+        want(step.to_try);
         for (const std::string& line : step.equations) want(line);
         if (!step.question) continue;
         want(step.question->text);

@@ -157,6 +157,59 @@ TEST(LessonPlayer, ComesBackToTheStepFromAnywhere) {
     EXPECT_EQ(scene, dragged);
 }
 
+TEST(LessonPlayer, AStepMayLeadSomewhereByItself) {
+    const auto parsed = [](const std::string& path) {
+        return parse_lesson({R"({"lesson": "L", "steps": [{"caption": "a", "scene": {"stack": [{"scale": [1, 1, 1]}]}},
+            {"caption": "b", "path": )" +
+                                 path + "}]}",
+                             "mine.json",
+                             {}});
+    };
+    const auto lesson = std::make_shared<const Lesson>(
+        parsed(R"({"stack.0.scale.1": [1, 3, 2], "probe": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]})"));
+    const Scene& end = lesson->steps[1].scene;
+    EXPECT_EQ(std::get<Scale>(end.stack[0]).factors.y, 2.0);
+    EXPECT_EQ(end.probe->xyz, glm::dvec3(0, 0, 1));
+
+    LessonPlayer player;
+    Scene scene = lesson->steps[0].scene;
+    player.start(lesson, 0, scene);
+    player.arrive(scene);
+    player.go_to(1, scene);
+    double highest = 0.0;
+    bool shown = false;
+    for (int i = 0; i < 600 && player.moving(); ++i) {
+        player.advance(1.0 / 60.0, scene);
+        shown |= player.on_path();
+        EXPECT_TRUE(i >= 50 || !player.on_path());
+        highest = std::max(highest, std::get<Scale>(scene.stack[0]).factors.y);
+    }
+    EXPECT_TRUE(shown);
+    EXPECT_NEAR(highest, 3.0, 0.05);
+    EXPECT_EQ(scene, end);
+    EXPECT_FALSE(player.moving());
+
+    player.moves = false;
+    player.go_to(1, scene);
+    player.advance(0.01, scene);
+    EXPECT_FALSE(player.moving());
+
+    for (const auto& [path, reason] : std::initializer_list<std::pair<const char*, const char*>>{
+             {R"({"nope": [1, 2]})", "step 2: path.nope.0: nope: unknown key"},
+             {R"({"power": [1]})", "step 2: path.power: expected an array of 2 to 100 values"},
+             {R"({"power": [1, [1, 2]]})", "step 2: path.power: expected an array of 2 to 100 values"},
+             {R"({"power": [1, 7]})", "step 2: path.power.1: power: "},
+             {R"({"power": [1, "x"]})", "step 2: path.power.1: expected a number"},
+             {"[]", "step 2: path: expected an object of 1 to 4 keys"}}) {
+        try {
+            parsed(path);
+            ADD_FAILURE() << path;
+        } catch (const InputError& e) {
+            EXPECT_NE(std::string(e.what()).find(reason), std::string::npos) << e.what();
+        }
+    }
+}
+
 // Between two steps nothing jumps: M changes by little from frame to frame.
 TEST(SceneBlend, MovesEvenly) {
     for (const ListedLesson& built_in : built_in_lessons()) {
