@@ -8,6 +8,7 @@
 #include "core/base/json_text.h"
 #include "core/base/output.h"
 #include "core/image/png.h"
+#include "core/image/png_rows.h"
 
 #include <nlohmann/json.hpp>
 
@@ -34,15 +35,18 @@ bool same_bytes(const std::filesystem::path& a, const std::filesystem::path& b) 
     return in_a.eof() && in_b.eof();
 }
 
-// What the files' heads and bytes tell without decoding either picture: sizes that differ, and pictures that do not.
+// What can be told without holding either picture: sizes that differ, files that do not, and how far large ones are apart.
 std::optional<Verdict> quick_verdict(const CompareCommand& command) {
     const auto actual = png_size(command.actual), expected = png_size(command.expected);
     if (!actual || !expected) return std::nullopt;
     Verdict verdict{false, *actual, *expected, {}, command.tolerance};
     if (*actual != *expected) return verdict;
-    if (!same_bytes(command.actual, command.expected)) return std::nullopt;
-    verdict.agree = true;
-    verdict.difference.emplace();
+    if (same_bytes(command.actual, command.expected))
+        verdict.difference.emplace();
+    else
+        verdict.difference = difference_by_rows(command.actual, command.expected, command.tolerance);
+    if (!verdict.difference) return std::nullopt;
+    verdict.agree = verdict.difference->within(command.tolerance);
     return verdict;
 }
 

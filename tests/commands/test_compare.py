@@ -170,10 +170,19 @@ class CompareTest(CommandTest):
         large = self.file("large.png", head + chunk(b"IDAT", rows) + chunk(b"IEND", b""))
         other = self.file("other.png", head + chunk(b"tEXt", b"a\0b") + chunk(b"IDAT", rows) + chunk(b"IEND", b""))
 
-        def a_gibibyte():
-            resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30))
-        done = run("compare", large, other, preexec_fn=a_gibibyte)
+        def half_a_gibibyte():  # by rows: a whole one of them is 400 MB
+            resource.setrlimit(resource.RLIMIT_AS, (1 << 29, 1 << 29))
+        done = run("compare", large, other, preexec_fn=half_a_gibibyte)
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, b"agree: 12500x8000, every pixel is the same\n", b""))
+        row = b"\0" + b"\7" * 3 * 12500
+        changed = zlib.compress(row * 7001 + row[:16] + b"\x2f" + row[17:] + row * 998, 1)
+        differs = self.file("differs.png", head + chunk(b"IDAT", changed) + chunk(b"IEND", b""))
+        done = run("compare", large, differs, "--share", "0", preexec_fn=half_a_gibibyte)
+        self.assertEqual((done.returncode, done.stderr), (1, b""))
+        self.assertIn(b"differ: 1 of 12500x8000 pixels", done.stdout)
+        self.assertIn(b"most 40 at 5,7001; most by channel 40 0 0 0", done.stdout)
+        damaged = self.file("damaged.png", head + chunk(b"IDAT", changed[:len(changed) // 2]) + chunk(b"IEND", b""))
+        self.assert_fails(3, "compare", large, damaged, says=("damaged.png", "damaged"))
         self.assert_fails(3, "compare", large, other, "--perceptual", says=("--perceptual", "12500x8000"))
         self.assert_fails(3, "compare", large, other, "--diff", self.folder / "d.png", says=("--diff", "12500x8000"))
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <string>
 
 namespace normalscope {
@@ -65,42 +66,61 @@ Color verdict(const Image& actual, const Image& expected, glm::ivec2 p, const To
 
 }  // namespace
 
-ImageDifference image_difference(const Image& actual, const Image& expected, const Tolerance& tolerance) {
-    ImageDifference result;
-    result.looked_at = std::int64_t{expected.size.x} * expected.size.y <= kMostLookedAt;
-    if (tolerance.perceived && !result.looked_at)
-        throw InputError("--perceptual: " + std::to_string(expected.size.x) + "x" + std::to_string(expected.size.y) +
+Differences::Differences(glm::ivec2 size, const Tolerance& tolerance) : size_(size), tolerance_(tolerance) {
+    result_.looked_at = std::int64_t{size.x} * size.y <= kMostLookedAt;
+    if (tolerance.perceived && !result_.looked_at)
+        throw InputError("--perceptual: " + std::to_string(size.x) + "x" + std::to_string(size.y) +
                          " pixels are too many, at most " + std::to_string(kMostLookedAt) +
                          " are judged as they are seen; compare without it, or smaller pictures");
-    std::array<std::int64_t, 4> sums{};
-    for (int y = 0; y < expected.size.y; ++y)
-        for (int x = 0; x < expected.size.x; ++x) {
-            const std::array<int, 4> off = apart(actual.pixel(x, y), expected.pixel(x, y));
-            for (std::size_t c = 0; c < 4; ++c) {
-                result.most[c] = std::max(result.most[c], off[c]);
-                sums[c] += off[c];
-            }
-            const int largest = std::ranges::max(off);
-            if (largest > tolerance.channel) ++result.pixels_beyond;
-            if (largest > 0 && result.looked_at) {
-                const double seen = perceived_difference(actual, expected, {x, y});
-                const bool edge = seen > tolerance.channel && smooths_an_edge(actual, expected, {x, y});
-                if (edge)
-                    ++result.edges_forgiven;
-                else
-                    result.most_seen = std::max(result.most_seen, seen);
-                if (seen > tolerance.channel && !edge) ++result.seen_beyond;
-            }
-            if (largest > result.worst_by) {
-                result.worst_by = largest;
-                result.worst = {x, y};
-            }
-        }
-    const double pixels = static_cast<double>(expected.size.x) * expected.size.y;
-    for (std::size_t c = 0; c < 4; ++c) result.mean[c] = static_cast<double>(sums[c]) / pixels;
+}
+
+void Differences::add(const Image& actual, const Image& expected, int first_row) {
+    const auto row_bytes = 4 * static_cast<std::size_t>(expected.size.x);
+    for (int y = 0; y < expected.size.y; ++y) {
+        // Mostly all of it is the same.
+        if (std::memcmp(actual.pixel(0, y), expected.pixel(0, y), row_bytes) == 0) continue;
+        for (int x = 0; x < expected.size.x; ++x)
+            if (std::memcmp(actual.pixel(x, y), expected.pixel(x, y), 4) != 0)
+                add_pixel(actual, expected, {x, y}, first_row);
+    }
+}
+
+void Differences::add_pixel(const Image& actual, const Image& expected, glm::ivec2 p, int first_row) {
+    const std::array<int, 4> off = apart(actual.pixel(p.x, p.y), expected.pixel(p.x, p.y));
+    for (std::size_t c = 0; c < 4; ++c) {
+        result_.most[c] = std::max(result_.most[c], off[c]);
+        sums_[c] += off[c];
+    }
+    const int largest = std::ranges::max(off);
+    if (largest > tolerance_.channel) ++result_.pixels_beyond;
+    if (largest > 0 && result_.looked_at) {
+        const double seen = perceived_difference(actual, expected, p);
+        const bool edge = seen > tolerance_.channel && smooths_an_edge(actual, expected, p);
+        if (edge)
+            ++result_.edges_forgiven;
+        else
+            result_.most_seen = std::max(result_.most_seen, seen);
+        if (seen > tolerance_.channel && !edge) ++result_.seen_beyond;
+    }
+    if (largest > result_.worst_by) {
+        result_.worst_by = largest;
+        result_.worst = {p.x, first_row + p.y};
+    }
+}
+
+ImageDifference Differences::result() const {
+    ImageDifference result = result_;
+    const double pixels = static_cast<double>(size_.x) * size_.y;
+    for (std::size_t c = 0; c < 4; ++c) result.mean[c] = static_cast<double>(sums_[c]) / pixels;
     result.share_beyond = static_cast<double>(result.pixels_beyond) / pixels;
     result.share_seen = static_cast<double>(result.seen_beyond) / pixels;
     return result;
+}
+
+ImageDifference image_difference(const Image& actual, const Image& expected, const Tolerance& tolerance) {
+    Differences differences(expected.size, tolerance);
+    differences.add(actual, expected, 0);
+    return differences.result();
 }
 
 bool too_large_to_show(glm::ivec2 actual_size, glm::ivec2 expected_size) {

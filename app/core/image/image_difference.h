@@ -40,6 +40,24 @@ inline constexpr std::int64_t kMostLookedAt = std::int64_t{1} << 25;
 /// The pictures must be of one size. Throws InputError where so many pixels cannot be judged as the tolerance wants.
 ImageDifference image_difference(const Image& actual, const Image& expected, const Tolerance& tolerance);
 
+/// The same for pictures that come in parts, from the top on, each of as many rows of both.
+class Differences {
+public:
+    /// Throws as image_difference does.
+    Differences(glm::ivec2 size, const Tolerance& tolerance);
+    /// How they are seen is looked at within the part: what is not too large for that must come whole.
+    void add(const Image& actual, const Image& expected, int first_row);
+    ImageDifference result() const;
+
+private:
+    void add_pixel(const Image& actual, const Image& expected, glm::ivec2 p, int first_row);
+
+    glm::ivec2 size_;
+    Tolerance tolerance_;
+    ImageDifference result_;
+    std::array<std::int64_t, 4> sums_{};
+};
+
 /// Whether difference_picture would be a picture too large to be read again.
 bool too_large_to_show(glm::ivec2 actual_size, glm::ivec2 expected_size);
 

@@ -16,6 +16,7 @@
 #include "core/picture/singular_marks.h"
 #include "core/picture/slice_marks.h"
 #include "core/picture/step_labels.h"
+#include "core/picture/way_of_drawing.h"
 #include "core/surface/face_polygon.h"
 #include "core/surface/surface_probe.h"
 
@@ -83,7 +84,7 @@ void add_surfaces(Pane& pane, const Scene& scene, const Surface& surface, const 
     object.world_from_object = drawable(m.matrix());
     // What would hide a slice is of glass.
     object.color = glm::vec4(colors.surface, options.sliced ? 0.5f : 1.0f);
-    const bool traced = surface.implicit && surface.implicit->region();
+    const bool traced = is_traced(surface);
     // Where M is not affine a ray may come back from infinity in object space: then its mesh is drawn, and that is said.
     if (const auto back = m.inverse(); back && traced && m.affine()) object.traced_object_from_world = back->matrix();
     if (const auto map = normal_map(scene, m, pane.rule, options.right_power)) object.normals = scaled_for_floats(*map);
@@ -240,10 +241,6 @@ void add_legend(Frame& frame, const Scene& scene, const WorldFromObject& m) {
                                   theme_colors(scene.theme).text);
 }
 
-constexpr std::string_view kDrawnByTriangles =
-    "M is not affine, so the formula's surface is drawn as triangles instead of being traced pixel by pixel; its "
-    "outline and its shading are as coarse as they are";
-
 // What gives the normals of this half.
 void add_title(Pane& pane, const Scene& scene) {
     const InNaivePlace in_place = in_naive_place(scene);
@@ -344,8 +341,8 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     }
     if (scene.show.legend) add_legend(frame, scene, m);
     frame.notes = frame.surface->mesh.notes;
-    if (frame.surface->implicit && frame.surface->implicit->region() && !m.affine())
-        frame.notes.emplace_back(kDrawnByTriangles);
+    if (const std::string_view note = note_on_triangles(*frame.surface, m); !note.empty())
+        frame.notes.emplace_back(note);
     return frame;
 }
 

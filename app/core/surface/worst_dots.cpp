@@ -8,10 +8,10 @@
 #include <cstddef>
 #include <vector>
 
-// The compiler makes the blocks' loops twice, for processors with AVX2 and without, and the one that fits is taken as
+// The compiler makes the blocks' loops thrice, for processors with AVX-512, with AVX2 and without, and the one that fits is taken as
 // the program starts.
 #if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__clang__)
-#define NORMALSCOPE_WIDE_LOOPS __attribute__((target_clones("arch=x86-64-v3", "default")))
+#define NORMALSCOPE_WIDE_LOOPS __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
 #define NORMALSCOPE_WIDE_LOOPS
 #endif
