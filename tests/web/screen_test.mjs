@@ -17,6 +17,31 @@ test("an idle page draws nothing", async () => {
     await page.close();
 });
 
+test("a hidden tab costs nothing", async () => {
+    const { page, said } = await open(browser, fileUrl);
+    const frames = () => page.evaluate("drawn");
+    await page.mouse.click(417, 40);  // play
+    const [before, hidden] = await page.evaluate(() => new Promise((done) => {
+        const began = drawn;
+        const look = () => (drawn > began + 3 ? done([began, document.hidden]) : setTimeout(look, 10));
+        look();
+    }));
+    assert.equal(hidden, false);
+    const other = await browser.newPage();
+    await other.bringToFront();
+    await page.waitForFunction("document.hidden", { polling: 50 });
+    await new Promise((done) => setTimeout(done, 300));
+    const then = await frames();
+    assert.ok(then > before);
+    await new Promise((done) => setTimeout(done, 1500));
+    assert.equal(await frames(), then);
+    await other.close();
+    await page.bringToFront();
+    await page.waitForFunction((count) => drawn > count, { polling: 50 }, then);
+    assert.deepEqual(said, []);
+    await page.close();
+});
+
 for (const scale of [1, 1.5, 2])
     test(`a canvas pixel is a pixel of the screen, at ${scale}`, async () => {
         const { page, said } = await open(browser, fileUrl, { width: 800, height: 500, scale });
