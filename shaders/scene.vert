@@ -2,7 +2,7 @@
 // One program for all three, since a software driver compiles each anew: that is most of what a cold capture waits for.
 layout(location = 0) in vec3 position;     // of an arrow: around its axis, in shaft radii; 0 … 1 … 2, base, neck and tip, along it
 layout(location = 1) in vec3 normal;       // of an arrow: in the same frame
-layout(location = 2) in vec4 own_color;    // sRGB; of an arrow: 1 where its head is hollow
+layout(location = 2) in vec4 own_color;    // sRGB; of an arrow: alpha 1 where its head is hollow, and where it is lit here, in red by how much
 layout(location = 3) in vec3 site_point;   // of an arrow: the surface's point and normal there, in object space
 layout(location = 4) in vec3 site_normal;
 
@@ -69,8 +69,8 @@ void main() {
 #ifdef LIT_AT_VERTICES
     float size = length(direction);
     vec3 n = size > 0.0 ? direction / size : vec3(0.0);
-    float light_between = 0.4 + 0.3 * position.z;  // the tips stand out of the others' shade
-    vertex_color = to_srgb(light_between * lit(tint.rgb, n, normalize(eye - world.xyz), toward_light, true));
+    vec3 base = own_color.a > 0.5 ? paper : tint.rgb;
+    vertex_color = to_srgb(own_color.r * lit(base, n, normalize(eye - world.xyz), toward_light, true));
 #else
 #ifdef PROJECTIVE
     world_place = world;

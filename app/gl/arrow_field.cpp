@@ -8,30 +8,82 @@
 #include <glm/gtc/matrix_access.hpp>
 
 #include <algorithm>
-#include <array>
-#include <utility>
+#include <cstdint>
 
 namespace normalscope {
 
 namespace {
 
-constexpr float kWide = ArrowProportions::kHeadRadius, kSlant = kWide / ArrowProportions::kHeadLength;
-// A shaft and a head of a triangle each, turned to the eye.
-constexpr std::array<Vertex, 6> kFlat{{{{1.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}},
-                                       {{-1.0f, 0.0f, 0.0f}, {-1.0f, 0.0f, 0.0f}},
-                                       {{0.0f, 0.0f, 2.0f}, {0.0f, 1.0f, 0.0f}},
-                                       {{kWide, 0.0f, 1.0f}, {1.0f, 0.0f, kSlant}},
-                                       {{-kWide, 0.0f, 1.0f}, {-1.0f, 0.0f, kSlant}},
-                                       {{0.0f, 0.0f, 2.0f}, {0.0f, 1.0f, kSlant}}}};
 // So many that none is to be seen by itself.
 constexpr std::size_t kNeedlesFrom = 300'000;
-constexpr std::array<Vertex, 3> kNeedle{{{{1.5f, 0.0f, 0.0f}, {1.0f, 0.0f, 0.0f}},
-                                         {{-1.5f, 0.0f, 0.0f}, {-1.0f, 0.0f, 0.0f}},
-                                         {{0.0f, 0.0f, 2.0f}, {0.0f, 1.0f, 0.0f}}}};
+// So many that it is worth asking what is hidden.
+constexpr std::size_t kHidingFrom = 10'000;
 
-std::span<const Vertex> shape_of(std::size_t count) {
-    if (count >= kNeedlesFrom) return kNeedle;
-    return kFlat;
+// One arrow: what scene.vert turns to the eye about its axis, so that y points there as far as it can.
+struct Outline {
+    std::vector<Vertex> vertices;
+    std::vector<GLuint> corners;  // three a triangle
+
+    GLuint add(const glm::vec3& position, const glm::vec3& normal, glm::u8vec4 own_color) {
+        vertices.push_back({position, normal, own_color});
+        return static_cast<GLuint>(vertices.size()) - 1;
+    }
+    void add_triangle(GLuint a, GLuint b, GLuint c) { corners.insert(corners.end(), {a, b, c}); }
+};
+
+// In alpha whether it is paper, and in red how much of the light comes there between all the others: the tips stand out.
+glm::u8vec4 own_color(float along, bool crowded, bool paper = false) {
+    const float light = crowded ? 0.4f + 0.3f * along : 1.0f;
+    return {static_cast<std::uint8_t>(255.0f * light), 0, 0, paper ? 255 : 0};
+}
+
+void add_shaft(Outline& outline, float width, float from, float to, bool crowded) {
+    const auto corner = [&](float side, float along) {
+        return outline.add({side * width, 0.0f, along}, {side, 0.0f, 0.0f}, own_color(along, crowded));
+    };
+    const GLuint a = corner(1.0f, from), b = corner(-1.0f, from), c = corner(-1.0f, to), d = corner(1.0f, to);
+    outline.add_triangle(a, b, c);
+    outline.add_triangle(a, c, d);
+}
+
+// A cone's outline from any side is that of a triangle and its base together. The base is a rhombus that is as wide as the
+// solid one's hexagon across the line of sight, and has its area.
+void add_head(Outline& outline, float wide, float tip, float nearer, bool crowded, bool paper) {
+    constexpr float kSlant = ArrowProportions::kHeadRadius / ArrowProportions::kHeadLength, kAlong = 1.45f;
+    const auto corner = [&](float x, float y, float along, const glm::vec3& normal) {
+        return outline.add({wide * x, wide * y + nearer, along}, normal, own_color(along, crowded, paper));
+    };
+    const GLuint right = corner(1.0f, 0.0f, 1.0f, {1.0f, 0.0f, kSlant}),
+                 left = corner(-1.0f, 0.0f, 1.0f, {-1.0f, 0.0f, kSlant}),
+                 near = corner(0.0f, kAlong, 1.0f, {0.0f, 1.0f, kSlant}),
+                 far = corner(0.0f, -kAlong, 1.0f, {0.0f, -1.0f, kSlant});
+    outline.add_triangle(right, left, corner(0.0f, 0.0f, tip, {0.0f, 1.0f, kSlant}));
+    outline.add_triangle(right, near, left);
+    outline.add_triangle(right, left, far);
+}
+
+Outline outline_of(ArrowLook look, bool crowded) {
+    Outline outline;
+    const int pieces = look == ArrowLook::Dashed ? ArrowProportions::kDashes : 1;
+    const float width = look == ArrowLook::Dashed ? ArrowProportions::kDashedWidth : 1.0f,
+                each = 1.0f / static_cast<float>(2 * pieces - 1);
+    for (int piece = 0; piece < pieces; ++piece) {
+        const float from = static_cast<float>(2 * piece) * each;
+        add_shaft(outline, width, from, from + each, crowded);
+    }
+    constexpr float kWide = ArrowProportions::kHeadRadius, kHollow = ArrowProportions::kHollow;
+    add_head(outline, width * kWide, 2.0f, 0.0f, crowded, false);
+    if (look == ArrowLook::Hollow) add_head(outline, kHollow * kWide, 1.0f + kHollow, 0.3f, crowded, true);
+    return outline;
+}
+
+Outline needle() {
+    Outline outline;
+    for (const float side : {1.5f, -1.5f})
+        outline.add({side, 0.0f, 0.0f}, {side / 1.5f, 0.0f, 0.0f}, own_color(0.0f, true));
+    outline.add({0.0f, 0.0f, 2.0f}, {0.0f, 1.0f, 0.0f}, own_color(2.0f, true));
+    outline.add_triangle(0, 1, 2);
+    return outline;
 }
 
 constexpr int kBoxCorners = 36;
@@ -57,19 +109,36 @@ struct ArrowField::Part {
     bool hidden = false;
 };
 
+ArrowField::ArrowField(std::span<const Site> sites) : sites_(sites), in_clusters_(site_clusters(sites)) {
+    glBindVertexArray(box_array_.id());
+    bind_and_fill(boxes_, GL_ARRAY_BUFFER, 0, nullptr);
+    attribute(kPosition, 3, GL_FLOAT, sizeof(glm::vec3), 0);
+}
+
+bool ArrowField::has_heads() const { return sites_.size() < kNeedlesFrom; }
+
 // Plain vertices in place of instances: a software driver runs the shader for several at a time, but not for several
 // instances.
-ArrowField::ArrowField(std::span<const Site> sites) : site_count_(sites.size()) {
-    const std::span<const Vertex> shape = shape_of(sites.size());
-    corners_ = static_cast<GLsizei>(shape.size());
-    std::vector<Vertex> shapes;
-    for (std::size_t i = 0; i < SiteClusters::kMost; ++i) shapes.insert(shapes.end(), shape.begin(), shape.end());
-    fill_scene_vertices(array_, shapes_, shapes);
-
-    SiteClusters in_clusters = site_clusters(sites);
-    clusters_ = std::move(in_clusters.clusters);
-    const std::size_t bytes = sites.size() * shape.size() * sizeof(SiteVertex);
-    bind_and_fill(sites_, GL_ARRAY_BUFFER, bytes, nullptr);
+const ArrowField::Kind& ArrowField::kind(ArrowLook look) {
+    const bool crowded = sites_.size() >= kManyArrows;
+    if (crowded) look = ArrowLook::Plain;
+    const auto [found, is_new] = kinds_.try_emplace(look);
+    Kind& kind = found->second;
+    if (!is_new) return kind;
+    const Outline outline = has_heads() ? outline_of(look, crowded) : needle();
+    kind.shape_vertices = static_cast<GLsizei>(outline.vertices.size());
+    kind.shape_corners = static_cast<GLsizei>(outline.corners.size());
+    const std::size_t most = std::min(SiteClusters::kMost, sites_.size());
+    std::vector<Vertex> vertices;
+    std::vector<GLuint> corners;
+    for (std::size_t i = 0; i < most; ++i) {
+        for (const GLuint corner : outline.corners) corners.push_back(static_cast<GLuint>(vertices.size()) + corner);
+        vertices.insert(vertices.end(), outline.vertices.begin(), outline.vertices.end());
+    }
+    fill_scene_vertices(kind.array, kind.shapes, vertices);
+    bind_and_fill(kind.corners, GL_ELEMENT_ARRAY_BUFFER, corners.size() * sizeof(GLuint), corners.data());
+    const std::size_t bytes = sites_.size() * outline.vertices.size() * sizeof(SiteVertex);
+    bind_and_fill(kind.sites, GL_ARRAY_BUFFER, bytes, nullptr);
     // In parts: all of ten million arrows at once would be there twice.
     constexpr std::size_t kAtOnce = 16'384;
     std::vector<SiteVertex> part;
@@ -80,22 +149,19 @@ ArrowField::ArrowField(std::span<const Site> sites) : site_count_(sites.size()) 
         filled += size;
         part.clear();
     };
-    for (const std::uint32_t i : in_clusters.order) {
-        part.insert(part.end(), shape.size(), site_vertex(sites[i]));
+    for (const std::uint32_t i : in_clusters_.order) {
+        part.insert(part.end(), outline.vertices.size(), site_vertex(sites_[i]));
         if (part.size() >= kAtOnce) send();
     }
     send();
-
-    glBindVertexArray(box_array_.id());
-    bind_and_fill(boxes_, GL_ARRAY_BUFFER, 0, nullptr);
-    attribute(kPosition, 3, GL_FLOAT, sizeof(glm::vec3), 0);
+    return kind;
 }
 
 std::vector<ArrowField::Part> ArrowField::front_to_back(const ArrowDraw& draw, const CameraView& view) const {
     const glm::dvec4 depth = glm::row(view.clip_from_world(), 3),
                      behind_near = glm::row(view.clip_from_world(), 2) + depth;
     std::vector<Part> parts;
-    for (const SiteCluster& cluster : clusters_) {
+    for (const SiteCluster& cluster : in_clusters_.clusters) {
         const std::optional<WorldBox> box = arrows_box(cluster, draw);
         Part& part = parts.emplace_back(&cluster, box.value_or(WorldBox{}));
         const glm::dvec3 middle = 0.5 * (part.box.low + part.box.high), half = part.box.high - middle;
@@ -127,7 +193,6 @@ void ArrowField::find_hidden(std::span<Part> parts, const CameraView& view) {
     }
     glDepthMask(GL_TRUE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glEnable(GL_CULL_FACE);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         if (parts[i].always_seen) continue;
         GLuint seen = GL_TRUE;
@@ -136,16 +201,18 @@ void ArrowField::find_hidden(std::span<Part> parts, const CameraView& view) {
     }
 }
 
-void ArrowField::draw_parts(std::span<const Part> parts) const {
+void ArrowField::draw_parts(const Kind& kind, std::span<const Part> parts) {
     // What a software driver bins of several draws adds up, where it draws slower than it bins: gigabytes.
     constexpr std::size_t kAhead = 65'536;
-    glBindVertexArray(array_.id());
-    glBindBuffer(GL_ARRAY_BUFFER, sites_.id());
+    glBindVertexArray(kind.array.id());
+    glBindBuffer(GL_ARRAY_BUFFER, kind.sites.id());
+    glDisable(GL_CULL_FACE);
     std::size_t ahead = 0;
     for (const Part& part : parts) {
         if (part.hidden) continue;
-        point_at_sites(part.cluster->first * static_cast<std::size_t>(corners_), 0);
-        glDrawArrays(GL_TRIANGLES, 0, corners_ * static_cast<GLsizei>(part.cluster->count));
+        point_at_sites(part.cluster->first * static_cast<std::size_t>(kind.shape_vertices), 0);
+        glDrawElements(GL_TRIANGLES, kind.shape_corners * static_cast<GLsizei>(part.cluster->count), GL_UNSIGNED_INT,
+                       nullptr);
         ahead += part.cluster->count;
         if (ahead < kAhead) continue;
         wait_for_pixels();
@@ -154,15 +221,17 @@ void ArrowField::draw_parts(std::span<const Part> parts) const {
 }
 
 void ArrowField::draw(const SceneProgram& program, const ArrowDraw& draw, const CameraView& view) {
+    const Kind& kind = this->kind(draw.look);
     std::vector<Part> parts = front_to_back(draw, view);
+    if (sites_.size() < kHidingFrom || !answers_at_once()) return draw_parts(kind, parts);
     // The surface and a quarter of its arrows hide nearly all that will be hidden.
     std::size_t nearest = 0;
-    for (std::size_t sites = 0; sites < site_count_ / 4; ++nearest) sites += parts[nearest].cluster->count;
+    for (std::size_t sites = 0; sites < sites_.size() / 4; ++nearest) sites += parts[nearest].cluster->count;
     const std::span<Part> first = std::span(parts).first(nearest), rest = std::span(parts).subspan(nearest);
-    draw_parts(first);
-    if (answers_at_once()) find_hidden(rest, view);
+    draw_parts(kind, first);
+    find_hidden(rest, view);
     program.use();
-    draw_parts(rest);
+    draw_parts(kind, rest);
 }
 
 }  // namespace normalscope

@@ -33,7 +33,7 @@ struct Resources {
     std::shared_ptr<const Surface> surface;
     std::optional<MeshVertices> mesh;
     std::map<ArrowLook, ArrowVertices> arrows;  // made when first wanted
-    std::optional<ArrowField> arrow_field;      // in place of those, where there are a great many
+    std::optional<ArrowField> arrow_field;      // in place of those, where there are many
     std::optional<glm::vec2> only_sample;       // the one that is drawn now, from the pixel's centre; none: all at once
 
     void hold(const std::shared_ptr<const Surface>& wanted) {
@@ -41,7 +41,7 @@ struct Resources {
         mesh.emplace(wanted->mesh);
         arrows.clear();
         arrow_field.reset();
-        if (wanted->arrows.size() >= kManyArrows) arrow_field.emplace(wanted->arrows);
+        if (wanted->arrows.size() >= ArrowField::kFrom) arrow_field.emplace(wanted->arrows);
         surface = wanted;
     }
 
