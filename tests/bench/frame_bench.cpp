@@ -41,7 +41,8 @@ double frames(Scene scene, int samples, int pictures) {
 /// One at each vertex.
 Scene with_arrows(int resolution) {
     Scene scene;
-    for (const std::string& set : {std::string("surface.shape=torus"), "surface.resolution=" + std::to_string(resolution), std::string("view=single")})
+    for (const std::string& set : {std::string("surface.shape=torus"),
+                                   "surface.resolution=" + std::to_string(resolution), std::string("view=single")})
         scene = with_setting(scene, set);
     scene.arrows = {.length = 0.05, .limit = 1'000'000, .show = std::vector{ArrowKind::InverseTranspose}};
     return scene;

@@ -19,7 +19,7 @@ struct Surface {
     std::shared_ptr<const ImplicitSurface> implicit;
     std::vector<Site> arrows;
     double area = 0.0;
-    glm::dvec3 extent{0.0};  ///< the largest |x|, |y| and |z|
+    glm::dvec3 extent{0.0};              ///< the largest |x|, |y| and |z|
     std::shared_ptr<TreeInTime> tree{};  ///< over the mesh's triangles; none: every one is looked at, each time
 };
 
