@@ -27,6 +27,7 @@ constexpr std::string_view kStyle = R"(
   h2 { font-size: 1.2rem; margin: 0 0 .4rem; column-span: all; break-after: avoid; }
   .about { color: #69707a; margin: 0 0 2rem; }
   section { margin: 0 0 2.2rem; break-inside: avoid; }
+  section:has(.tab) { break-inside: auto; }
   img { width: 100%; box-sizing: border-box; height: auto; display: block; border: 1px solid #dcdee0; border-radius: 6px; }
   .caption { margin: .6rem 0 0; font-weight: 600; }
   .look { margin: .3rem 0 0; color: #575d66; }
@@ -82,7 +83,7 @@ std::string words(const LessonStep& step, std::size_t number, const HandoutComma
     return html;
 }
 
-// What the step opens beside the picture stands below it, as wide, in letters that can be read on paper.
+// What the step opens beside the picture stands below its words, as wide, in letters that can be read on paper.
 std::string tab_html(const LessonStep& step, Studio& studio, int picture_width) {
     constexpr int kLogicalWidth = 460;
     const int width = std::max(picture_width, kLogicalWidth);
@@ -122,8 +123,9 @@ std::string handout(const HandoutCommand& command) {
                                                           .marks = marks_of(step)})
                                     .image;
             html += "<section>\n" + picture_html(step, data_of(image), live ? live->attributes(step.scene) : "");
+            html += words(step, i + 1, command);
             if (!step.tab.empty()) html += tab_html(step, studio, command.size.x);
-            html += words(step, i + 1, command) + "</section>\n";
+            html += "</section>\n";
         }
         html += "</div>\n";
         if (command.answers == HandoutCommand::Answers::End) html += answers(lesson);
