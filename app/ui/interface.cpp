@@ -182,6 +182,8 @@ std::string_view Interface::message() const { return state_->messages.text(); }
 double Interface::redraw_after() const { return std::min(state_->wake, state_->messages.redraw_after()); }
 
 bool Interface::show_tab(std::string_view id) {
+    const bool numbers = numbers_in_tab(id);
+    id = without_numbers(id);
     const auto line = line_of_tab(id);
     if (line) id = kTabs[kDerivation].name;
     const auto found = std::ranges::find(kTabs, id, &Tab::name);
@@ -189,6 +191,7 @@ bool Interface::show_tab(std::string_view id) {
     state_->side.open.reset();
     if (!id.empty()) state_->side.open = static_cast<std::size_t>(found - kTabs.begin());
     if (line) state_->derivation.step_from(*line);
+    if (numbers) state_->derivation.show_numbers();
     return true;
 }
 bool Interface::record_tab(std::string_view id) {

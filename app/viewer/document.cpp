@@ -83,6 +83,11 @@ void Document::go_back_to(const Work& work) {
 }
 
 void Document::recover(const UnsavedWork& work) {
+    if (work.draft.lesson) {
+        commit();
+        scene = work.scene;
+        return write(work.file, work.draft, nullptr);
+    }
     const std::optional<Scene> saved = saved_scene(work.file);
     std::shared_ptr<Origin> origin = origin_of(saved.value_or(Scene{}), work.file);
     if (!saved) origin->is_the_users = false;  // it may be a lesson's by now

@@ -71,7 +71,7 @@ void Viewer::ask_to_save(const std::vector<Work>& works) {
 
 void Viewer::offer() {
     keep({});
-    const std::string which = offered_.size() > 1 ? "scenes" : "scene";
+    const std::string which = offered_.size() > 1 ? "scenes" : offered_.front().draft.lesson ? "lesson" : "scene";
     gui_.interface.ask(Asked::Recovering, "Go back to the " + which + " of last time?",
                        offered_.size() > 1
                            ? "The program ended before they were saved. Ctrl+Z goes from one to the next."
@@ -85,7 +85,7 @@ void Viewer::obey(const Reply& reply) {
         if (reply.choice != 0) return;
         for (const UnsavedWork& work : offered)
             if (can_be_drawn(work.scene))
-                document_.recover(work);
+                document_.recover(work), follow_draft();
             else
                 offered_.push_back(work);  // perhaps next time
         return;
@@ -102,8 +102,7 @@ void Viewer::obey(const Reply& reply) {
 
 void Viewer::keep(const std::vector<Work>& works) {
     std::vector<UnsavedWork> all = offered_;
-    for (const Work& work : works)
-        if (!work.draft.lesson) all.push_back({work.origin->file, work.scene});
+    for (const Work& work : works) all.push_back({work.origin->file, work.scene, work.draft});
     if (all == kept_) return;
     host_.keep(all.empty() ? "" : unsaved_text(all));
     kept_ = std::move(all);

@@ -187,12 +187,12 @@ class LessonsTest(CommandTest):
         """Below the picture on paper, beside it on a slide; with nothing to press, it is the same whatever was pressed before."""
         def lesson(**keys):
             return self.file("tab.json", json.dumps({"lesson": "Tab", "steps": [{"caption": "a", **keys}, {"caption": "b"}]}))
-        for tab in ("derivation", "derivation#3", "stack", "maps", "error", "ray"):
+        for tab in ("derivation", "derivation#3", "derivation:numbers", "stack", "maps", "error", "ray"):
             page = self.assert_done("handout", lesson(tab=tab), "-o", "-", "--size", "320x200").decode()
             pictures = [base64.b64decode(found) for found in re.findall(r'src="data:image/png;base64,([^"]*)"', page)]
             self.assertEqual(len(pictures), 3, tab)
             width, height = png_size(pictures[1])
-            self.assertTrue(420 < width < 470 and 60 < height < 1380, (tab, width, height))
+            self.assertTrue(420 < width < 470 and 60 < height <= 1380, (tab, width, height))
             self.assertGreater(colours(pictures[1]), 20)
         def slide(name, **keys):
             self.assert_done("slides", lesson(**keys), "-o", self.folder / name, "--size", "320x180")

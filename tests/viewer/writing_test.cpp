@@ -110,6 +110,27 @@ TEST_F(WritingLessonsTest, NothingIsLostUnasked) {
     EXPECT_EQ(load_lesson(own()).steps.size(), 2u);
 }
 
+TEST_F(WritingLessonsTest, WhatAnEarlierSessionLeftIsOffered) {
+    start();
+    learn("Write a lesson");
+    EXPECT_NE(host_.kept, "") << "nobody has saved it";
+    key(ImGuiKey_R);
+    press_in_editor("Add this view as a step");
+    const Scene seen = scene();
+    const std::string left = host_.kept;
+    start(light(), "", {.scale = {}, .lessons = {}, .unsaved = parse_unsaved(left, "kept")});
+    EXPECT_TRUE(asked());
+    key(ImGuiKey_Enter);
+    ASSERT_TRUE(lecture().player.running());
+    EXPECT_EQ(lesson().steps.size(), 2u);
+    EXPECT_EQ(step(), 1u);
+    EXPECT_EQ(scene(), seen);
+    EXPECT_TRUE(is_unsaved());
+    answer_dialog(ImGuiKey_S, own());
+    EXPECT_EQ(load_lesson(own()).steps.size(), 2u);
+    EXPECT_EQ(host_.kept, "");
+}
+
 TEST_F(WritingLessonsTest, NoSceneIsWrittenOver) {
     const auto file = write("scene.json", R"({"normalscope": 1})");
     start();

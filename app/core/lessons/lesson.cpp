@@ -55,7 +55,8 @@ std::vector<std::string> read_equations(const Json& json, const JsonPath& path) 
 std::string read_tab(const Json& json, const JsonPath& path) {
     const std::vector<std::string> names = tab_names();
     const std::string name = words(json, path, kLongestNote);
-    if (std::ranges::find(names, name) == names.end() && !line_of_tab(name))
+    const std::string_view plain = without_numbers(name);
+    if (std::ranges::find(names, plain) == names.end() && !line_of_tab(plain))
         fail_kind(path, "one of " + joined(names), json);
     return name;
 }

@@ -33,6 +33,16 @@ inline std::vector<std::string> tab_names() {
 /// The check and the last column of M are the last two.
 inline constexpr std::size_t kLinesWithArrows = 10, kDerivationPassages = 12;
 
+/// "derivation:numbers", and "derivation#5:numbers", have numbers in the place of names.
+inline constexpr std::string_view kNumbersInTab = ":numbers";
+inline bool numbers_in_tab(std::string_view tab) {
+    return tab.starts_with(kTabs[0].name) && tab.ends_with(kNumbersInTab);
+}
+inline std::string_view without_numbers(std::string_view tab) {
+    if (numbers_in_tab(tab)) tab.remove_suffix(kNumbersInTab.size());
+    return tab;
+}
+
 /// The line, counted from 0, that "derivation#5" asks for; empty for anything else.
 inline std::optional<std::size_t> line_of_tab(std::string_view tab) {
     constexpr std::string_view kBefore = "derivation#";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/lessons/writing.h"
 #include "core/scene/scene.h"
 
 #include <optional>
@@ -10,10 +11,12 @@
 
 namespace normalscope {
 
-/// A scene that no file holds as it is, and the file or name that it was opened by, or empty.
+/// A scene that no file holds as it is, and the file or name that it was opened by, or empty; or such a lesson, which is
+/// being written.
 struct UnsavedWork {
     std::string file;
     Scene scene;
+    Draft draft{};
     friend bool operator==(const UnsavedWork&, const UnsavedWork&) = default;
 };
 

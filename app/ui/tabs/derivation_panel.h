@@ -28,6 +28,7 @@ public:
 
     /// Line by line, beginning at this one.
     void step_from(std::size_t line) { stepping_ = true, current_ = line, scroll_frames_ = 3; }
+    void show_numbers() { shown_ = {.numbers = true}; }
     /// The line that is looked at, and v_obj's tangent; empty where all of them are, or it is none of the derivation's own.
     std::optional<DerivationAt> current() const {
         if (!stepping_ || current_ >= kDerivationLines) return std::nullopt;
