@@ -40,12 +40,6 @@ struct Film {
     Subtitles subtitles;
 };
 
-// All of it without what asks for a mouse.
-Lesson to_be_watched(Lesson lesson) {
-    for (LessonStep& step : lesson.steps) step.to_try.clear();
-    return lesson;
-}
-
 Film film_of(const Lesson& lesson, int frames_per_second, const std::optional<double>& seconds) {
     Film film;
     const auto pictures_in = [&](double time) { return static_cast<int>(std::lround(time * frames_per_second)); };
@@ -94,7 +88,7 @@ bool linked(const fs::path& from, const fs::path& to) {
 int run(const AnimateCommand& command) {
     const bool video = is_video(command.output);
     if (video) require_ffmpeg(command.output);
-    const auto lesson = std::make_shared<const Lesson>(to_be_watched(load_lesson(command.lesson)));
+    const auto lesson = std::make_shared<const Lesson>(load_lesson(command.lesson));
     const Film film = film_of(*lesson, command.frames_per_second, command.seconds);
     const std::vector<Picture>& pictures = film.pictures;
 

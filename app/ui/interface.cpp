@@ -213,10 +213,12 @@ void Interface::open_lesson(std::shared_ptr<const Lesson> lesson, const Scene& s
     state_->side.open.reset();  // the lesson opens what it wants
     state_->lecture.start(std::move(lesson), scene, step);
 }
-void Interface::record_lesson(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::size_t step,
+void Interface::record_lesson(const std::shared_ptr<const Lesson>& lesson, const Scene& scene, std::size_t step,
                               std::optional<std::size_t> answer) {
     state_->lecture.recorded = state_->lecture.presenting = true;
-    open_lesson(std::move(lesson), scene, step);
+    Lesson watched = *lesson;
+    for (LessonStep& each : watched.steps) each.to_try.clear();  // nobody can, in a picture
+    open_lesson(std::make_shared<const Lesson>(std::move(watched)), scene, step);
     if (answer) state_->lecture.player.choose(*answer);
     if (const auto tab = state_->lecture.wanted_tab()) show_tab(*tab);
 }

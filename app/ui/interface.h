@@ -94,7 +94,7 @@ public:
     void open_lesson(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::optional<std::size_t> step = {});
     /// The same for a picture of a step: nothing moves, and there is nothing to press.
     /// `answer`: the choice that is made of its question, or none yet.
-    void record_lesson(std::shared_ptr<const Lesson> lesson, const Scene& scene, std::size_t step,
+    void record_lesson(const std::shared_ptr<const Lesson>& lesson, const Scene& scene, std::size_t step,
                        std::optional<std::size_t> answer);
     /// The lesson, the exercises, and how they are shown in a room.
     Lecture& lecture();
