@@ -9,6 +9,7 @@
 #include "commands/subtitles.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/math_text.h"
 #include "core/base/output.h"
 #include "core/base/temporary_folder.h"
 #include "core/image/png.h"
@@ -48,7 +49,7 @@ Film film_of(const Lesson& lesson, int frames_per_second, const std::optional<do
         const int count = std::max(pictures_in(time), 1);
         film.pictures.insert(film.pictures.end(), static_cast<std::size_t>(count), picture);
         for (auto k = film.pictures.end() - count + 1; k != film.pictures.end(); ++k) k->same = true;
-        film.subtitles.say(words, static_cast<double>(count) / frames_per_second);
+        film.subtitles.say(plain_math(words), static_cast<double>(count) / frames_per_second);
     };
     const int moving = pictures_in(LessonPlayer::kSeconds);
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {

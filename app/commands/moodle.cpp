@@ -58,7 +58,7 @@ std::string cloze(const MoodleNumber& number) {
 }  // namespace
 
 void MoodleQuiz::category(const std::string& name) {
-    std::string path = "top/Normalscope/";
+    std::string path = "$course$/top/Normalscope/";
     for (const char c : name) path += c == '/' ? "//" : std::string(1, c);  // else a category within it
     questions_ += "  <question type=\"category\">\n" + element("category", path) + "  </question>\n";
 }

@@ -72,13 +72,14 @@ private:
 };
 
 void QuizWriter::add(const Lesson& lesson) {
-    quiz_.category(lesson.title);
+    const std::string title = plain_math(lesson.title);
+    quiz_.category(title);
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const LessonStep& step = lesson.steps[i];
         if (!step.question) continue;
         std::string html = "<p>" + html_math(step.caption) + "</p>";
         for (const std::string& line : step.equations) html += "<p>" + html_math(line) + "</p>";
-        quiz_.choices({.name = lesson.title + ", step " + std::to_string(i + 1),
+        quiz_.choices({.name = title + ", step " + std::to_string(i + 1),
                        .html = html,
                        .picture = picture(step.scene, marks_of(step)),
                        .picture_says = plain_math(step.caption),

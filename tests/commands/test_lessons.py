@@ -331,6 +331,7 @@ class AnimateTest(CommandTest):
         pictures, cues = self.film({"caption": words}, {"caption": "a < b."}, {"caption": "c", "seconds": 9})
         self.assertEqual(cues, [(0, 6, words), (6, 9, "a &lt; b."), (9, 18, "c")])
         self.assertEqual(len(pictures), 18)
+        self.assertEqual(self.film({"caption": "M_3^{-1} M_3."})[1], [(0, 3, "M₃⁻¹ M₃.")])
         self.assertEqual(self.film({"caption": "One. Two."}, arguments=("--seconds", 2))[1], [(0, 0.889, "One."), (0.889, 2, "Two.")])
 
     def test_a_path_is_shown_before_a_step_stands(self):

@@ -41,9 +41,10 @@ std::string progress_of(const ListedLesson& lesson, const std::map<std::string, 
     return step == lesson.steps ? "✓" : std::to_string(step) + " of " + std::to_string(lesson.steps);
 }
 
-void lessons(const char* title, bool built_in, const PanelContext& context) {
-    const auto wanted = [&](const ListedLesson& lesson) { return is_built_in_lesson(lesson.name) == built_in; };
-    heading(context.look, title);
+bool is_built_in(const ListedLesson& lesson) { return is_built_in_lesson(lesson.name); }
+bool is_own(const ListedLesson& lesson) { return !is_built_in(lesson); }
+
+void lessons(const PanelContext& context, bool (*wanted)(const ListedLesson&)) {
     for (const ListedLesson& lesson : context.shelf) {
         if (!wanted(lesson)) continue;
         ImGui::PushID(lesson.name.c_str());  // two may have one title
@@ -92,9 +93,11 @@ void learn_menu(const Scene& scene, PanelMemory& memory, const PanelContext& con
     ImGui::SetNextWindowSize({look.px(kMenuWidth), 0});
     if (!ImGui::BeginPopup("##learning")) return;
     if (ImGui::IsWindowAppearing()) context.requests.list_lessons = true;
-    lessons("Lessons", true, context);
+    heading(look, "Lessons");
+    lessons(context, is_built_in);
     ImGui::Separator();
-    lessons("Your lessons", false, context);
+    heading(look, "Your lessons");
+    lessons(context, is_own);
     writing(scene, context);
     ImGui::Separator();
     heading(look, "Exercises");
