@@ -192,7 +192,9 @@ void Viewer::take(Opened opened) {
         lecture().exercises.stop();
         opened.scene.theme = document_.scene.theme;  // the room's light does not change with the scene
         surfaces_ = std::move(opened.surfaces);
-        if (is_mesh_file(opened.file))
+        if (document_.draft.lesson)
+            document_.scene = std::move(opened.scene);  // a view for the lesson that is being written
+        else if (is_mesh_file(opened.file))
             document_.open_mesh(std::move(opened.scene), opened.file);
         else
             document_.open(std::move(opened.scene), opened.file);

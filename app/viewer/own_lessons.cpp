@@ -53,13 +53,11 @@ void Viewer::watch_lesson() {
 }
 
 void Viewer::write(Writing what) {
-    if (what == Writing::Done || (what == Writing::ThisLesson && (document_.draft.lesson || !in_lesson()))) return;
+    if (what == Writing::Done || exercising() ||
+        (what == Writing::ThisLesson && (document_.draft.lesson || !in_lesson())))
+        return;
     commit();
     wake();
-    if (exercising()) {
-        lecture().leave(document_.scene);
-        document_.set_origin(origin_before_exercises_);
-    }
     if (what == Writing::New) {
         const auto lesson = std::make_shared<const Lesson>(new_lesson(document_.scene));
         document_.write(lesson->name, {lesson, 0}, nullptr);

@@ -61,6 +61,28 @@ TEST_F(WritingLessonsTest, ALessonIsWrittenFromViews) {
     EXPECT_EQ(message().find("again"), std::string::npos);
 }
 
+TEST_F(WritingLessonsTest, WhatIsOpenedIsAViewForIt) {
+    start();
+    learn("Write a lesson");
+    open("shear");
+    ASSERT_TRUE(editor_is_shown());
+    EXPECT_EQ(scene().stack, load_scene("shear").stack);
+    EXPECT_EQ(lesson().steps[0].scene.stack, light().stack);
+    press_in_editor("Add this view as a step");
+    EXPECT_EQ(lesson().steps[1].scene.stack, load_scene("shear").stack);
+    open("split");
+    press_in_editor("Use this view");
+    EXPECT_EQ(lesson().steps.size(), 2u);
+    EXPECT_EQ(lesson().steps[1].scene.view, load_scene("split").view);
+    undo();
+    EXPECT_EQ(lesson().steps[1].scene.stack, load_scene("shear").stack);
+    open("3-when-naive-is-right");  // another lesson is another lesson
+    EXPECT_FALSE(editor_is_shown());
+    undo();
+    EXPECT_TRUE(editor_is_shown());
+    EXPECT_EQ(lesson().steps.size(), 2u);
+}
+
 TEST_F(WritingLessonsTest, StepsChangePlacesAndGoAndAllIsUndone) {
     start(light(), "5-composite-of-inverses#2");
     const Lesson before = lesson();
