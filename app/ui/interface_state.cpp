@@ -72,7 +72,10 @@ std::vector<SideTab> InterfaceState::tabs() {
 
 Arrangement InterfaceState::arrangement(glm::ivec2 framebuffer) const {
     std::optional<float> tab;
-    if (side.open) tab = side.open == kDerivation ? kDerivationWidth : kSideWidth;
+    if (side.open)
+        tab = side.open == kDerivation ? kDerivationWidth : kSideWidth;
+    else if (edits())
+        tab = kEditorWidth;
     return arrange(look, framebuffer,
                    {.panel = is_drawer(look, framebuffer) ? drawer_open : panel_shown,
                     .lecture = lecture.talks(),
@@ -96,8 +99,13 @@ void InterfaceState::draw_strip(Scene& scene, const Frame& frame, const Status& 
 }
 
 void InterfaceState::draw_editor(const Scene& scene, const Frame& frame, const Status& status, Requests& requests) {
-    if (editor_shown && status.draft.lesson && lecture.player.running() && !lecture.presenting)
-        editor.draw({look, status.draft, scene, frame.rect, lecture.player.strayed(scene)}, requests);
+    writing = status.draft.lesson != nullptr;
+    if (edits()) {
+        const ImVec2 screen = ImGui::GetIO().DisplaySize;
+        const int width = side.open ? 0 : arrangement(glm::ivec2(screen.x, screen.y)).side;
+        editor.draw({look, status.draft, scene, frame.rect, lecture.player.strayed(scene), static_cast<float>(width)},
+                    requests);
+    }
     if (requests.writing) editor_shown = *requests.writing != Writing::Done;
 }
 

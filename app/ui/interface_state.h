@@ -44,7 +44,8 @@ struct InterfaceState {
     MapsTab maps;
     ErrorTab error;
     LessonEditor editor;
-    bool editor_shown = false;
+    bool editor_shown = false, writing = false;
+    bool edits() const { return editor_shown && writing && lecture.player.running() && !lecture.presenting; }
     mutable Lecture lecture;  // which remembers what it has measured
     bool captions = false;    ///< their fonts are in the atlas
     bool panel_shown = true, help = false;

@@ -19,6 +19,9 @@ protected:
         const ImGuiWindow* window = ImGui::FindWindowByName("##writing");
         return window && window->Active;
     }
+    bool picture_has_room_beside() {
+        return viewer().frame()->rect.origin.x + viewer().frame()->rect.size.x < host_.size.x;
+    }
     void undo() { key(ImGuiMod_Ctrl | ImGuiKey_Z); }
     std::string own() const { return path("mine.json"); }
 };
@@ -28,6 +31,7 @@ TEST_F(WritingLessonsTest, ALessonIsWrittenFromViews) {
     EXPECT_FALSE(editor_is_shown());
     learn("Write a lesson");
     ASSERT_TRUE(editor_is_shown());
+    EXPECT_TRUE(picture_has_room_beside());
     EXPECT_EQ(lesson().steps.size(), 1u);
     EXPECT_TRUE(is_unsaved());
     const Scene first = scene();
@@ -57,6 +61,9 @@ TEST_F(WritingLessonsTest, ALessonIsWrittenFromViews) {
     ASSERT_EQ(read.steps.size(), 2u);
     EXPECT_EQ(read.steps[0].scene, first);
     EXPECT_EQ(read.steps[1].scene, second);
+    press_in_editor("Done");
+    EXPECT_FALSE(editor_is_shown());
+    EXPECT_FALSE(picture_has_room_beside());
     wait(3);  // its own file is no news
     EXPECT_EQ(message().find("again"), std::string::npos);
 }

@@ -11,8 +11,6 @@ namespace normalscope {
 
 namespace {
 
-constexpr float kWidth = 340.0f;  // logical pixels
-
 // Lines as wide as the field, which Dear ImGui does not break itself.
 std::string broken(const std::string& words, float width) {
     std::string text, line;
@@ -54,7 +52,7 @@ void name_of_field(const Look& look, const char* name) {
 
 float width_of_lines(const Look& look) {
     const ImGuiStyle& style = ImGui::GetStyle();
-    return look.px(kWidth) - 2 * style.WindowPadding.x - 2 * style.FramePadding.x - style.ScrollbarSize;
+    return look.px(kEditorWidth) - 2 * style.WindowPadding.x - 2 * style.FramePadding.x - style.ScrollbarSize;
 }
 
 bool field(const Look& look, const char* name, std::string& text, int lines) {
@@ -158,16 +156,21 @@ void LessonEditor::ending(const EditedLesson& edited, Requests& requests) const 
 
 void LessonEditor::draw(const EditedLesson& edited, Requests& requests) {
     const Look& look = edited.look;
+    const bool beside = edited.side > 0.0f;
     const auto right = static_cast<float>(edited.picture.origin.x + edited.picture.size.x),
-               top = static_cast<float>(edited.picture.origin.y);
-    ImGui::SetNextWindowPos({right - look.px(kWidth + 12), top + look.px(12)}, ImGuiCond_Appearing);
-    ImGui::SetNextWindowSize({look.px(kWidth), 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, look.px(10));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(12), look.px(10)));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
-    ImGui::Begin("##writing", nullptr,
+               top = static_cast<float>(edited.picture.origin.y), margin = look.px(12);
+    if (beside)
+        ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x - edited.side, 0});
+    else
+        ImGui::SetNextWindowPos({right - look.px(kEditorWidth) - margin, top + margin}, ImGuiCond_Appearing);
+    ImGui::SetNextWindowSize({beside ? edited.side : look.px(kEditorWidth), 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, beside ? 0.0f : look.px(10));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(14), look.px(10)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, beside ? 0.0f : 1.0f);
+    ImGui::Begin(beside ? "##writing" : "##writing over", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                     (beside ? ImGuiWindowFlags_NoMove : 0));
     read(edited);
     words(edited, requests);
     ImGui::Dummy({0, look.px(2)});

@@ -16,10 +16,14 @@ struct EditedLesson {
     const Scene& scene;  ///< what is seen, which may be another than the step's
     PixelRect picture;
     bool strayed = false;  ///< it is another
+    float side =
+        0.0f;  ///< how much of the window's width at the right is its own; 0: none, and it lies over the picture
 };
 
-/// The words of a lesson's step, to be written, and what can be done with its steps: a small window over the picture, which
-/// can be moved. All that it changes goes by `requests`.
+inline constexpr float kEditorWidth = 340.0f;  ///< logical pixels
+
+/// The words of a lesson's step, to be written, and what can be done with its steps: beside the picture, or
+/// over it where a tab stands there, and then it can be moved. All that it changes goes by `requests`.
 class LessonEditor {
 public:
     void draw(const EditedLesson& edited, Requests& requests);
