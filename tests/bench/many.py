@@ -1,8 +1,11 @@
 """Figures of many pictures: sweeps, warm captures, the same bytes everywhere, and a great many arrows."""
 
 import itertools
+import json
+import pathlib
 import shutil
 import statistics
+import subprocess
 
 MIB = 1024  # KiB, as getrusage counts
 FRAMES = 100
@@ -79,3 +82,17 @@ def arrows(bench, mesh, count, seconds, mib=None):
     if mib:
         peak = max(r.kib for r in with_arrows) / MIB
         bench.row("  peak memory", f"{peak:.0f} MiB", goal=f"{mib} MiB", reached=peak <= mib)
+
+
+def arrow_frames(bench, goals):
+    """frame_bench arrows prints one line of JSON, with frames a second by samples for each number of arrows; `goals`: what each is
+    to reach with 1 sample and with 4."""
+    program = pathlib.Path(bench.normalscope).parent / "frame_bench"
+    if not program.exists():
+        return
+    bench.progress("frames with many arrows")
+    output = subprocess.run([program, "arrows"], env=bench.ours, stdout=subprocess.PIPE, check=True, text=True).stdout
+    rates = {int(count): of for count, of in json.loads(output.strip().splitlines()[-1]).items() if count.isdigit()}
+    for (count, of), goal in zip(rates.items(), goals):
+        bench.row(f"frames while orbiting, {count:,} arrows, 1 / 4 samples", f"{of['1']:.0f}, {of['4']:.0f} / s",
+                  goal=f"{goal[0]}, {goal[1]} / s", reached=of["1"] >= goal[0] and of["4"] >= goal[1])
