@@ -37,13 +37,22 @@ glm::u8vec4 own_color(float along, bool crowded, bool paper = false) {
     return {static_cast<std::uint8_t>(255.0f * light), 0, 0, paper ? 255 : 0};
 }
 
-void add_shaft(Outline& outline, float width, float from, float to, bool crowded) {
+void add_shaft(Outline& outline, float width, float from, float to) {
     const auto corner = [&](float side, float along) {
-        return outline.add({side * width, 0.0f, along}, {side, 0.0f, 0.0f}, own_color(along, crowded));
+        return outline.add({side * width, 0.0f, along}, {side, 0.0f, 0.0f}, own_color(along, false));
     };
     const GLuint a = corner(1.0f, from), b = corner(-1.0f, from), c = corner(-1.0f, to), d = corner(1.0f, to);
     outline.add_triangle(a, b, c);
     outline.add_triangle(a, c, d);
+}
+
+// Fewer triangles, for what is a few pixels.
+void add_taper(Outline& outline, float width) {
+    const auto corner = [&](float side, float along, const glm::vec3& normal) {
+        return outline.add({side * width, 0.0f, along}, normal, own_color(along, true));
+    };
+    const GLuint a = corner(1.0f, 0.0f, {1.0f, 0.0f, 0.0f}), b = corner(-1.0f, 0.0f, {-1.0f, 0.0f, 0.0f});
+    outline.add_triangle(a, b, corner(0.0f, 2.0f, {0.0f, 1.0f, 0.0f}));
 }
 
 // A cone's outline from any side is that of a triangle and its base together. The base is a rhombus that is as wide as the
@@ -67,9 +76,10 @@ Outline outline_of(ArrowLook look, bool crowded) {
     const int pieces = look == ArrowLook::Dashed ? ArrowProportions::kDashes : 1;
     const float width = look == ArrowLook::Dashed ? ArrowProportions::kDashedWidth : 1.0f,
                 each = 1.0f / static_cast<float>(2 * pieces - 1);
-    for (int piece = 0; piece < pieces; ++piece) {
+    if (crowded) add_taper(outline, 1.0f);
+    for (int piece = 0; piece < pieces && !crowded; ++piece) {
         const float from = static_cast<float>(2 * piece) * each;
-        add_shaft(outline, width, from, from + each, crowded);
+        add_shaft(outline, width, from, from + each);
     }
     constexpr float kWide = ArrowProportions::kHeadRadius, kHollow = ArrowProportions::kHollow;
     add_head(outline, width * kWide, 2.0f, 0.0f, crowded, false);
@@ -79,10 +89,7 @@ Outline outline_of(ArrowLook look, bool crowded) {
 
 Outline needle() {
     Outline outline;
-    for (const float side : {1.5f, -1.5f})
-        outline.add({side, 0.0f, 0.0f}, {side / 1.5f, 0.0f, 0.0f}, own_color(0.0f, true));
-    outline.add({0.0f, 0.0f, 2.0f}, {0.0f, 1.0f, 0.0f}, own_color(2.0f, true));
-    outline.add_triangle(0, 1, 2);
+    add_taper(outline, 1.5f);
     return outline;
 }
 
