@@ -23,7 +23,7 @@ add_dependencies(normalscope option_docs_files)  # so that whoever built the pro
 include(CMakePackageConfigHelpers)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/NormalscopeConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 
-install(TARGETS normalscope)
+install(TARGETS normalscope BUNDLE DESTINATION .)
 install(FILES assets/normalscope.desktop DESTINATION share/applications)
 install(FILES assets/icons/normalscope.svg DESTINATION share/icons/hicolor/scalable/apps)
 install(FILES ${option_docs}/normalscope.1 DESTINATION share/man/man1)

@@ -16,7 +16,7 @@ set(test_environment
 # ctest starts.
 function(gtest_executable target folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX ${other_systems}\\.cpp$)
+  take_own_files(sources)
   add_executable(${target} ${sources})
   target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(${target} PRIVATE ${ARGN} normalscope_embedded GTest::gtest_main)

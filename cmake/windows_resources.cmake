@@ -4,9 +4,9 @@ find_program(RSVG_CONVERT rsvg-convert REQUIRED)
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 set(resources "${PROJECT_BINARY_DIR}/resources")
 add_custom_command(OUTPUT "${resources}/normalscope.ico"
-  COMMAND ${Python3_EXECUTABLE} "${PROJECT_SOURCE_DIR}/cmake/make_ico.py" "${RSVG_CONVERT}"
+  COMMAND ${Python3_EXECUTABLE} "${PROJECT_SOURCE_DIR}/cmake/make_icon.py" "${RSVG_CONVERT}"
     "${PROJECT_SOURCE_DIR}/assets/icons/normalscope.svg" "${resources}/normalscope.ico"
-  DEPENDS assets/icons/normalscope.svg cmake/make_ico.py
+  DEPENDS assets/icons/normalscope.svg cmake/make_icon.py
   COMMENT "The icon, in the sizes that Windows shows")
 configure_file(assets/windows/normalscope.rc.in "${resources}/normalscope.rc" @ONLY)
 configure_file(assets/windows/normalscope.manifest.in "${resources}/normalscope.manifest" @ONLY)

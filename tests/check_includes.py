@@ -17,7 +17,7 @@ TABLE = ROOT / "docs" / "architecture.md"
 
 # What may not be included everywhere, by the word that the table has for it.
 LIBRARIES = {
-    "the system": r"(unistd|fcntl|poll|signal|spawn|dlfcn|pthread|csignal|termios|windows|shellapi|io|process)(\.h)?$|sys/",
+    "the system": r"(unistd|fcntl|poll|signal|spawn|xlocale|dlfcn|pthread|csignal|termios|windows|shellapi|io|process)(\.h)?$|sys/",
     "threads": r"(thread|future|mutex|shared_mutex|condition_variable|stop_token|semaphore|latch|barrier)$",
     "JSON": r"nlohmann/",
     "CLI11": r"CLI/",
@@ -77,7 +77,7 @@ def pair_faults(files):
         where = file.relative_to(ROOT)
         if re.search(r"^\s*#.*\b(_WIN32|__APPLE__|__linux__)\b", file.read_text(encoding="utf-8"), re.M):
             yield f"{where}: asks for the system; let CMake choose between a ..._posix.cpp and a ..._windows.cpp"
-        for this, other in (("_posix", "_windows"), ("_windows", "_posix")):
+        for this, other in (("_posix", "_windows"), ("_windows", "_posix"), ("_macos", "_posix")):
             if file.stem.endswith(this) and file.suffix == ".cpp" and not (
                     file.parent / (file.stem.removesuffix(this) + other + ".cpp")).exists():
                 yield f"{where}: there is no such file for the other system"

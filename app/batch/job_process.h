@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,11 +28,9 @@ struct JobSeat {
     std::string word;
 };
 
-/// Starts one. On POSIX by fork: `be` is what that process does, with its end of the pipe. Windows has no such thing: there
-/// the program is started anew with the same arguments, comes to run_jobs, and finds its seat. Nothing where there can be no
-/// more.
-std::optional<JobProcess> start_job(std::size_t job, const std::string& word, std::span<const JobProcess> others,
-                                    const std::function<void(int pipe)>& be);
+/// Starts one: the program anew, with the same arguments, which comes to run_jobs and finds its seat there. Nothing where
+/// there can be no more.
+std::optional<JobProcess> start_job(std::size_t job, const std::string& word);
 /// The seat of this process, where it has been started anew to do a job.
 const std::optional<JobSeat>& own_seat();
 

@@ -47,8 +47,7 @@ HANDLE standard_input_again() {
 }
 
 bool start_anew(HANDLE input, PROCESS_INFORMATION& process) {
-    std::array<wchar_t, 32768> program{};
-    ::GetModuleFileNameW(nullptr, program.data(), static_cast<DWORD>(program.size()));
+    const std::filesystem::path program = program_file();
     std::wstring line = ::GetCommandLineW();
     STARTUPINFOW startup{};
     startup.cb = sizeof startup;
@@ -56,7 +55,7 @@ bool start_anew(HANDLE input, PROCESS_INFORMATION& process) {
     startup.hStdInput = input;
     startup.hStdError = ::GetStdHandle(STD_ERROR_HANDLE);
     ::SetHandleInformation(startup.hStdError, HANDLE_FLAG_INHERIT, HANDLE_FLAG_INHERIT);
-    return ::CreateProcessW(program.data(), line.data(), nullptr, nullptr, TRUE, 0, nullptr, nullptr, &startup,
+    return ::CreateProcessW(program.c_str(), line.data(), nullptr, nullptr, TRUE, 0, nullptr, nullptr, &startup,
                             &process);
 }
 
@@ -93,8 +92,7 @@ std::string JobProcess::end() {
 
 void JobProcess::stop() const { ::SetEvent(handle(stop_sign)); }
 
-std::optional<JobProcess> start_job(std::size_t job, const std::string& word, std::span<const JobProcess>,
-                                    const std::function<void(int pipe)>&) {
+std::optional<JobProcess> start_job(std::size_t job, const std::string& word) {
     const Ends ends = inheritable_pipe(0);
     SECURITY_ATTRIBUTES inherited{sizeof inherited, nullptr, TRUE};
     const HANDLE stop = ::CreateEventW(&inherited, TRUE, FALSE, nullptr);

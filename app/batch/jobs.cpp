@@ -67,7 +67,7 @@ void send(int pipe, std::uint64_t i, std::string_view text) {
     } catch (const std::exception& e) {
         send(pipe, kInputError, e.what());
     }
-    // What this process took over from its parent is the parent's to tidy up. Who is told to end before all is done has
+    // What is made before run_jobs is there for the one that started this process, and its to tidy up. Who is told to end before all is done has
     // not ended well, unless the parent has been told, too.
     ::_exit(CancelOnSignal::asked() ? 1 : 0);
 }
@@ -101,8 +101,11 @@ struct Job {
 /// All jobs of one run_jobs. Each draws until it has ended, whatever becomes of the others' errors.
 class Jobs {
 public:
-    Jobs(std::size_t count, const Work& work, const std::string& word) {
-        for (std::size_t j = 0; j < count && start(j, work, word); ++j) {
+    Jobs(std::size_t count, const std::string& word) {
+        while (jobs_.size() < count) {
+            const auto started = start_job(jobs_.size(), word);
+            if (!started) break;
+            jobs_.push_back({*started});
         }
         if (jobs_.size() == count) return;
         note(InputError("--jobs " + std::to_string(count) + ": no more than " + std::to_string(jobs_.size()) +
@@ -126,12 +129,6 @@ private:
         std::vector<JobProcess> all;
         for (const Job& job : jobs_) all.push_back(job.process);
         return all;
-    }
-
-    bool start(std::size_t j, const Work& work, const std::string& word) {
-        const auto started = start_job(j, word, processes(), [&](int pipe) { be_a_job(j, pipe, work); });
-        if (started) jobs_.push_back({*started});
-        return started.has_value();
     }
 
     void listen_to(Job& job, const Tell& told) {
@@ -168,8 +165,7 @@ private:
 
 void run_jobs(std::size_t count, const Work& work, const Tell& told, const std::string& word) {
     if (const auto& seat = own_seat()) be_a_job(seat->job, seat->pipe, work);
-    std::fflush(nullptr);  // or each job would write what waits in the buffers once more
-    Jobs(count, work, word).listen(told);
+    Jobs(count, word).listen(told);
 }
 
 std::optional<std::string> word_for_jobs() { return own_seat() ? std::optional(own_seat()->word) : std::nullopt; }

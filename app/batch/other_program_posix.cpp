@@ -4,12 +4,15 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
 #include <sstream>
+
+extern "C" char** environ;  // NOLINT(readability-redundant-declaration): a Mac's headers have none
 
 namespace normalscope {
 
@@ -27,16 +30,19 @@ OtherProgram::OtherProgram(const std::vector<std::string>& command, const std::f
     std::vector<char*> arguments;
     for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
-    process_ = ::fork();
-    if (process_ != 0) return;
-    ::setpgid(0, 0);
-    const int nothing = ::open("/dev/null", O_RDONLY), out = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    if (nothing < 0 || out < 0) ::_exit(127);
-    ::dup2(nothing, STDIN_FILENO);
-    ::dup2(out, STDOUT_FILENO);
-    ::dup2(out, STDERR_FILENO);
-    ::execv(arguments[0], arguments.data());
-    ::_exit(127);
+    posix_spawn_file_actions_t actions;
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    ::posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
+    posix_spawnattr_t attributes;
+    ::posix_spawnattr_init(&attributes);
+    ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);  // of its own
+    pid_t process = -1;
+    if (::posix_spawn(&process, arguments[0], &actions, &attributes, arguments.data(), environ) == 0)
+        process_ = process;
+    ::posix_spawnattr_destroy(&attributes);
+    ::posix_spawn_file_actions_destroy(&actions);
 }
 
 OtherProgram::~OtherProgram() {

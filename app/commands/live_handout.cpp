@@ -4,6 +4,8 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/html.h"
+#include "core/base/own_page.h"
+#include "core/base/system.h"
 #include "core/lessons/link.h"
 
 #include <embedded.h>
@@ -21,15 +23,12 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestPage = std::size_t{1} << 26, kLargestMesh = std::size_t{1} << 29;
 
-// Where the program is installed, or was built.
 fs::path page_file() {
-    std::error_code error;
-    const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-    for (const fs::path& file :
-         {folder.parent_path() / "share/normalscope/normalscope.html", folder / "web/normalscope.html"})
-        if (fs::exists(file, error)) return file;
-    throw InputError((folder / "web/normalscope.html").string(),
-                     "the program as a page, which --live puts in, has not been built; ./dev web builds it");
+    if (fs::path page = own_page(); !page.empty()) return page;
+    throw InputError(
+        "normalscope.html",
+        "the program as a page, which --live puts in, is not beside the program; put it there, or build it "
+        "by ./dev web");
 }
 
 std::string with(std::string text, std::string_view placeholder, const std::string& value) {
@@ -40,7 +39,7 @@ std::string with(std::string text, std::string_view placeholder, const std::stri
 
 LiveHandout::LiveHandout(FilesOfRun& files) {
     const fs::path file = page_file();
-    files.reads(file, file.string());
+    files.reads(file, text_of(file));
     page_ = read_file(file, kLargestPage);
 }
 

@@ -126,9 +126,9 @@ Studio::Studio(const StudioOptions& options)
     : context_{.choice = options.context, .quick_shaders = options.pictures < 25} {
     if (options.jobs > 1) context_.threads = std::max<std::size_t>(1, processors() / options.jobs);
 
-    const std::string doubtful = doubtful_driver_variables();
-    if (!doubtful.empty() && !survives([&] { capture(Scene{}, {.size = {16, 16}}); }))
-        throw ContextError(doubtful +
+    const std::string crashing = crashing_driver_variables([&] { capture(Scene{}, {.size = {16, 16}}); });
+    if (!crashing.empty())
+        throw ContextError(crashing +
                            ": with that the graphics driver crashes; unset it, or set GALLIUM_DRIVER=llvmpipe "
                            "and LP_NATIVE_VECTOR_WIDTH=128");
 }

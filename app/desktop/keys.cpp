@@ -74,7 +74,7 @@ ImGuiKey key_of(int key, std::string_view printed, ImGuiKeyChord modifiers) {
     if (key >= GLFW_KEY_KP_0 && key <= GLFW_KEY_KP_9) return nth(ImGuiKey_Keypad0, key - GLFW_KEY_KP_0);
     if (const ImGuiKey named = key_without_sign(key); named != ImGuiKey_None) return named;
     const bool digit = key >= GLFW_KEY_0 && key <= GLFW_KEY_9;
-    if (printed.size() == 1 && (!digit || (modifiers & ImGuiMod_Ctrl) != 0))
+    if (printed.size() == 1 && (!digit || (modifiers & (ImGuiMod_Ctrl | ImGuiMod_Super)) != 0))
         if (const ImGuiKey sign = key_of_sign(printed.front()); sign != ImGuiKey_None) return sign;
     if (digit) return nth(ImGuiKey_0, key - GLFW_KEY_0);
     if (key >= GLFW_KEY_A && key <= GLFW_KEY_Z) return nth(ImGuiKey_A, key - GLFW_KEY_A);

@@ -2,35 +2,24 @@
 
 #include "core/base/error.h"
 #include "platform/gl_debug.h"
+#include "platform/glfw_start.h"
 
 #include <glad/gl.h>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include <string>
-
 namespace normalscope {
 
 namespace {
 
-std::string last_error() {
-    const char* text = nullptr;
-    glfwGetError(&text);
-    return text ? text : "GLFW gives no reason";
-}
-
 class HiddenWindow final : public Context {
 public:
     HiddenWindow() {
-        if (!glfwInit()) throw ContextError(last_error());
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-        glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+        start_glfw(GlfwFor::HiddenWindow);
+        ask_for_opengl();
         window_ = glfwCreateWindow(kSide, kSide, "Normalscope", nullptr, nullptr);
-        if (!window_) throw ContextError(last_error());
+        if (!window_) throw ContextError(glfw_error());
     }
     // GLFW is not ended: it would unload system libraries in which a thread may still run.
     ~HiddenWindow() override { glfwDestroyWindow(window_); }

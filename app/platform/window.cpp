@@ -1,8 +1,8 @@
 #include "platform/window.h"
 
 #include "core/base/error.h"
-#include "core/base/system.h"
 #include "platform/gl_debug.h"
+#include "platform/glfw_start.h"
 
 #include <glad/gl.h>
 
@@ -11,7 +11,6 @@
 #include <glm/common.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 #include <span>
 #include <string>
 
@@ -21,29 +20,19 @@ namespace {
 
 constexpr glm::ivec2 kFirstSize{1280, 800};  // logical pixels
 
-std::string last_error() {
-    const char* text = nullptr;
-    glfwGetError(&text);
-    return text ? text : "GLFW gives no reason";
-}
-
-// GLFW 3.4 tries Wayland first, whose library prints an error of its own where there is none; and having tried two
-// platforms it no longer says why either failed. So where no variable leads to Wayland only X11 is tried.
-void choose_platform() {
-#ifdef GLFW_PLATFORM
-    const auto is_set = [](const char* variable) {
-        const char* value = std::getenv(variable);
-        return value && *value;
-    };
-    if (!is_set("WAYLAND_DISPLAY") && !is_set("WAYLAND_SOCKET") && glfwPlatformSupported(GLFW_PLATFORM_X11))
-        glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
-#endif
-}
-
 // There a window's size is in logical pixels, while a monitor's is in physical ones, and nobody learns where it stands.
 bool on_wayland() {
 #ifdef GLFW_PLATFORM
     return glfwGetPlatform() == GLFW_PLATFORM_WAYLAND;
+#else
+    return false;
+#endif
+}
+
+// There all sizes are in logical pixels.
+bool on_a_mac() {
+#ifdef GLFW_PLATFORM
+    return glfwGetPlatform() == GLFW_PLATFORM_COCOA;
 #else
     return false;
 #endif
@@ -95,7 +84,7 @@ glm::ivec2 fitting_size(const WindowPlace& place) {
     glm::ivec2 room(0);
     glm::vec2 scale(1.0f);
     glfwGetMonitorWorkarea(monitor, nullptr, nullptr, &room.x, &room.y);
-    if (!place.size || on_wayland()) glfwGetMonitorContentScale(monitor, &scale.x, &scale.y);
+    if ((!place.size && !on_a_mac()) || on_wayland()) glfwGetMonitorContentScale(monitor, &scale.x, &scale.y);
     if (room.x <= 0 || room.y <= 0) return size;
     const glm::ivec2 bars(0, on_wayland() ? 80 : 0);  // a desktop's and the window's own are not told of there
     return glm::min(size, glm::ivec2(glm::vec2(room) / glm::max(scale, glm::vec2(1.0f))) - bars);
@@ -104,26 +93,25 @@ glm::ivec2 fitting_size(const WindowPlace& place) {
 }  // namespace
 
 Window::Window(const char* title, const WindowPlace& place) {
-    choose_platform();
-    if (!glfwInit())
-        throw ContextError("no window: " + last_error() + "; without a display use: normalscope capture -o OUT.png");
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    try {
+        start_glfw(GlfwFor::Window);
+    } catch (const ContextError& e) {
+        throw ContextError("no window: " + std::string(e.what()) +
+                           "; without a display use: normalscope capture -o OUT.png");
+    }
+    ask_for_opengl();
     glfwWindowHint(GLFW_DEPTH_BITS, 0);  // the renderer has its own framebuffer
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     // A size that is remembered is the enlarged one, and would grow each time.
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, place.size ? GLFW_FALSE : GLFW_TRUE);
-    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_MAXIMIZED, place.maximised ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "normalscope");
     const glm::ivec2 size = fitting_size(place);
     window_ = glfwCreateWindow(size.x, size.y, title, nullptr, nullptr);
     if (!window_) {
-        const std::string reason = last_error();
+        const std::string reason = glfw_error();
         glfwTerminate();
-        throw ContextError("no window: " + reason + "; " + remedy(Missing::OpenGl));
+        throw ContextError(without_opengl("no window: " + reason));
     }
     if (place.position && !on_wayland()) glfwSetWindowPos(window_, place.position->x, place.position->y);
     glfwSetWindowSizeLimits(window_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
@@ -138,7 +126,8 @@ Window::~Window() {
 
 void Window::make_current() {
     glfwMakeContextCurrent(window_);
-    if (!gladLoadGL(glfwGetProcAddress)) throw ContextError("the window's OpenGL 3.3 context cannot be used");
+    if (!gladLoadGL(glfwGetProcAddress))
+        throw ContextError(without_opengl("the window's OpenGL 3.3 context cannot be used"));
     watch_for_gl_errors();
     glfwSwapInterval(1);
 }

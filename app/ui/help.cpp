@@ -1,5 +1,6 @@
 #include "ui/help.h"
 
+#include "ui/kit/own_keys.h"
 #include "ui/kit/widgets.h"
 
 #include <algorithm>
@@ -95,9 +96,9 @@ void block(const Look& look, const char* title, std::span<const Line> lines) {
     ImGui::PopFont();
     for (const Line& line : lines) {
         const float left = ImGui::GetCursorPosX();
-        key_caps(look, line.keys);
+        key_caps(look, with_own_keys(line.keys));
         ImGui::SetCursorPosX(left + look.px(kKeysWidth + 12));
-        ImGui::TextUnformatted(line.does);
+        ImGui::TextUnformatted(with_own_keys(line.does).c_str());
     }
 }
 

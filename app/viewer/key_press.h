@@ -11,7 +11,10 @@ struct KeyPress {
     ImGuiKeyChord modifiers = 0;
     bool repeated = false;  ///< it is being held
 
-    bool control() const { return (modifiers & ImGuiMod_Ctrl) != 0; }
+    /// Ctrl; on a Mac, Cmd.
+    bool control() const {
+        return (modifiers & (ImGui::GetIO().ConfigMacOSXBehaviors ? ImGuiMod_Super : ImGuiMod_Ctrl)) != 0;
+    }
     bool shift() const { return (modifiers & ImGuiMod_Shift) != 0; }
     bool alt() const { return (modifiers & ImGuiMod_Alt) != 0; }
 };

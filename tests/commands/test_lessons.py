@@ -257,7 +257,7 @@ class LessonsTest(CommandTest):
         out = self.folder / "out.html"
         done = self.live(None, LESSONS[0].stem, "-o", out)
         self.assertEqual(done.returncode, 3)
-        self.assertRegex(done.stderr.decode(), r"\Anormalscope: [^\n]*has not been built; ./dev web builds it\n\Z")
+        self.assertRegex(done.stderr.decode(), r"\Anormalscope: normalscope\.html: [^\n]*; put it there, or build it by ./dev web\n\Z")
         self.assertFalse(out.exists())
         page = self.folder / "share/normalscope/normalscope.html"
         self.assertEqual(self.live("the program", LESSONS[0].stem, "-o", page).returncode, 2)

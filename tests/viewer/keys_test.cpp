@@ -53,6 +53,20 @@ TEST_F(ViewerTest, EachKeyChangesOneThingAndIsAStepToUndo) {
     }
 }
 
+TEST_F(ViewerTest, OnAMacCmdDoesWhatCtrlDoesElsewhere) {
+    start(light("shear"));
+    const Scene before = scene();
+    ImGui::GetIO().ConfigMacOSXBehaviors = true;
+    key(ImGuiKey_N);
+    ASSERT_NE(scene(), before);
+    key(kCtrl | ImGuiKey_Z);
+    EXPECT_NE(scene(), before);
+    key(ImGuiMod_Super | ImGuiKey_Z);
+    EXPECT_EQ(scene(), before);
+    key(ImGuiMod_Super | ImGuiKey_L);
+    EXPECT_NE(message().find("Cmd+V"), std::string::npos) << message();
+}
+
 TEST_F(ViewerTest, FasterThanFramesEachKeyIsStillAStep) {
     start();
     const Scene before = scene();

@@ -10,7 +10,9 @@
 
 namespace normalscope {
 
-// What each operating system does in its own way. All text is UTF-8 on all of them, and a path made of text takes it so.
+// What each operating system does in its own way: system_….cpp; where it keeps things, and what helps on it:
+// conventions_….cpp, in which a Mac is not as other POSIX systems are. All text is UTF-8 on all of them, and a path made of
+// text takes it so.
 
 /// The first thing that `main` does: what the arguments are and what a terminal is told is UTF-8, and what goes through the
 /// standard streams is left as it is.
@@ -25,6 +27,8 @@ std::string host_name();
 std::string variable(const char* name);
 /// Sets it for this process and those that it starts; nothing at all unsets it.
 void set_variable(const char* name, const std::optional<std::string>& value);
+/// The file of this very program; empty where nobody knows.
+std::filesystem::path program_file();
 /// The folder that a user calls home; empty where there is none.
 std::filesystem::path home_folder();
 /// The folder in which programs keep what they remember, this one's within it. Empty where there is none.

@@ -1,11 +1,16 @@
 #include "core/base/system.h"
 
+#include "core/base/posix_arguments.h"
+
 #include <signal.h>  // kill
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <locale.h>  // newlocale
+#if __has_include(<xlocale.h>)
+#include <xlocale.h>  // a Mac has it there
+#endif
 
 #include <algorithm>
 #include <array>
@@ -27,9 +32,12 @@ std::string identity(const struct stat& status) {
     return std::to_string(status.st_dev) + ":" + std::to_string(status.st_ino);
 }
 
+char** arguments = nullptr;  // those of main, which last as long as the program runs
+
 }  // namespace
 
-void begin_process(int&, char**&) {}
+void begin_process(int&, char**& argv) { arguments = argv; }
+char** own_arguments() { return arguments; }
 int process_id() { return ::getpid(); }
 bool process_runs(int id) { return ::kill(id, 0) == 0 || errno == EPERM; }
 
@@ -51,18 +59,6 @@ void set_variable(const char* name, const std::optional<std::string>& value) {
 }
 
 std::filesystem::path home_folder() { return variable("HOME"); }
-
-std::filesystem::path settings_folder_of(const char* program) {
-    const std::filesystem::path config = variable("XDG_CONFIG_HOME"), home = home_folder();
-    if (config.is_absolute()) return config / program;
-    return home.is_absolute() ? home / ".config" / program : std::filesystem::path();
-}
-
-std::filesystem::path data_folder_of(const char* program) {
-    const std::filesystem::path data = variable("XDG_DATA_HOME"), home = home_folder();
-    if (data.is_absolute()) return data / program;
-    return home.is_absolute() ? home / ".local" / "share" / program : std::filesystem::path();
-}
 
 std::FILE* open_file(const std::filesystem::path& file, const char* mode) { return std::fopen(file.c_str(), mode); }
 std::FILE* create_file(const std::filesystem::path& file) { return std::fopen(file.c_str(), "wbx"); }
@@ -89,7 +85,10 @@ std::vector<std::filesystem::path> drives() { return {}; }
 
 // Without the C library's UTF-8 of a to z only.
 std::string in_lower_case(const std::string& text) {
-    static const locale_t utf8 = ::newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
+    static const locale_t utf8 = [] {
+        const locale_t found = ::newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
+        return found ? found : ::newlocale(LC_CTYPE_MASK, "UTF-8", nullptr);  // as a Mac calls it
+    }();
     const locale_t before = utf8 ? ::uselocale(utf8) : nullptr;
     std::string small;
     for (std::size_t at = 0; at < text.size();) {
@@ -130,16 +129,6 @@ void prefer_large_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size
     std::size_t space = bytes;
     if (std::align(kLarge, kLarge, begin, space)) ::madvise(begin, space, MADV_HUGEPAGE);
 #endif
-}
-
-const char* remedy(Missing what) {
-    switch (what) {
-        case Missing::Osmesa: return "install libosmesa6";
-        case Missing::Egl: return "install libegl1 with libgl1-mesa-dri";
-        case Missing::OpenGl: return "an OpenGL 3.3 driver is needed";
-        case Missing::Ffmpeg: return "install the package ffmpeg";
-    }
-    return "";
 }
 
 }  // namespace normalscope

@@ -94,13 +94,6 @@ void set_variable(const char* name, const std::optional<std::string>& value) {
 
 std::filesystem::path home_folder() { return variable("USERPROFILE"); }
 
-std::filesystem::path settings_folder_of(const char* program) {
-    const std::filesystem::path folder = variable("APPDATA");
-    return folder.is_absolute() ? folder / program : std::filesystem::path();
-}
-
-std::filesystem::path data_folder_of(const char* program) { return settings_folder_of(program); }
-
 std::FILE* open_file(const std::filesystem::path& file, const char* mode) {
     return ::_wfopen(file.c_str(), wide(mode).c_str());
 }
@@ -163,17 +156,5 @@ std::string shell_word(const std::string& text) {
 }
 
 void prefer_large_pages(void*, std::size_t) {}
-
-const char* remedy(Missing what) {
-    switch (what) {
-        case Missing::Osmesa: return "put Mesa's osmesa.dll beside normalscope.exe";
-        case Missing::Egl: return "Windows has none; leave --context out";
-        case Missing::OpenGl:
-            return "OpenGL 3.3 is needed: install the graphics card's driver, or put Mesa's opengl32.dll beside "
-                   "normalscope.exe";
-        case Missing::Ffmpeg: return "put ffmpeg.exe into a folder of PATH";
-    }
-    return "";
-}
 
 }  // namespace normalscope

@@ -1,5 +1,6 @@
 #include "ui/kit/messages.h"
 
+#include "ui/kit/own_keys.h"
 #include "ui/kit/picture_labels.h"
 #include "ui/kit/widgets.h"
 
@@ -24,7 +25,7 @@ void Messages::show_error(std::string_view line) {
 
 void Messages::show_note(std::string_view line) {
     if (error_ && !text_.empty()) return;  // what must be seen is not covered by what need not
-    text_ = line;
+    text_ = with_own_keys(line);
     error_ = false;
     fresh_ = true;
 }

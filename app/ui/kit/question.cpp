@@ -1,6 +1,7 @@
 #include "ui/kit/question.h"
 
 #include "ui/kit/dialog.h"
+#include "ui/kit/own_keys.h"
 #include "ui/kit/widgets.h"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ void QuestionBox::draw(const Look& look, Requests& requests) {
         ImGui::TextUnformatted(title_.c_str());
         ImGui::PopFont();
         ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted(text_.c_str());
+        ImGui::TextUnformatted(with_own_keys(text_).c_str());
         ImGui::PopTextWrapPos();
         ImGui::Dummy({0, look.px(4)});
         chosen = buttons(look);

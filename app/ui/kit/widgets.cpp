@@ -1,6 +1,7 @@
 #include "ui/kit/widgets.h"
 
 #include "ui/kit/number_text.h"
+#include "ui/kit/own_keys.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +12,7 @@ void show_tip(const Look& look, const char* text) {
     if (!ImGui::BeginTooltip()) return;
     ImGui::PushFont(look.fonts.small);
     ImGui::PushTextWrapPos(look.px(340));
-    ImGui::TextUnformatted(text);
+    ImGui::TextUnformatted(with_own_keys(text).c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopFont();
     ImGui::EndTooltip();

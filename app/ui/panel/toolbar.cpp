@@ -1,5 +1,6 @@
 #include "ui/panel/panel.h"
 
+#include "ui/kit/own_keys.h"
 #include "ui/kit/widgets.h"
 #include "ui/panel/panel_memory.h"
 
@@ -46,13 +47,16 @@ void share_menu(Scene& scene, const PanelContext& context) {
             {.icon = Icon::Share, .about = "Share: the picture, a link, HTML, the equations", .side = kIconSide}))
         ImGui::OpenPopup("##sharing");
     if (!ImGui::BeginPopup("##sharing")) return;
-    if (ImGui::MenuItem("Save picture…", "Ctrl+P")) context.dialog.open(FileDialog::For::SavePicture);
-    if (ImGui::MenuItem("Copy link", "Ctrl+L")) context.requests.copy_link = true;
+    const auto item = [](const char* label, const char* keys) {
+        return ImGui::MenuItem(label, with_own_keys(keys).c_str());
+    };
+    if (item("Save picture…", "Ctrl+P")) context.dialog.open(FileDialog::For::SavePicture);
+    if (item("Copy link", "Ctrl+L")) context.requests.copy_link = true;
     tip(look, "The whole scene as one line of text: anyone who pastes it with Ctrl+V sees what you see.");
     if (ImGui::MenuItem("Copy HTML for a web page")) context.requests.copy_frame = true;
     tip(look, "HTML that shows this scene in a page of your own. Put normalscope.html beside that page.");
-    if (ImGui::MenuItem("Copy equations as LaTeX", "Ctrl+Shift+L")) context.requests.copy_equations = true;
-    if (ImGui::MenuItem("Copy as a command", "Ctrl+C")) context.requests.copy_command = true;
+    if (item("Copy equations as LaTeX", "Ctrl+Shift+L")) context.requests.copy_equations = true;
+    if (item("Copy as a command", "Ctrl+C")) context.requests.copy_command = true;
     tip(look, "The command line that captures this picture.");
     ImGui::Separator();
     if (ImGui::MenuItem("Dark theme", "T", is_dark(scene.theme))) scene.theme = toggled(scene.theme);

@@ -1,9 +1,13 @@
 #include "platform/driver_variables.h"
 
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>  // environ
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <string_view>
 
 namespace normalscope {
@@ -23,13 +27,39 @@ bool is_doubtful(std::string_view variable) {
            !begins("MESA_SHADER_CACHE_");
 }
 
-}  // namespace
-
 std::string doubtful_driver_variables() {
     std::string line;
     for (char** variable = environ; variable && *variable; ++variable)
         if (is_doubtful(*variable)) line += (line.empty() ? "" : ", ") + std::string(*variable);
     return line;
+}
+
+// Whether a process of its own gets through the attempt without crashing; what it throws does not count. It says nothing
+// on standard error.
+bool survives(const std::function<void()>& attempt) {
+    const pid_t process = ::fork();
+    if (process < 0) return true;  // then the attempt itself has to tell
+    if (process == 0) {
+        const rlimit no_core{0, 0};
+        ::setrlimit(RLIMIT_CORE, &no_core);
+        if (const int nothing = ::open("/dev/null", O_WRONLY); nothing >= 0) ::dup2(nothing, STDERR_FILENO);
+        try {
+            attempt();
+        } catch (...) {  // it will be thrown, and reported, once more
+        }
+        ::_exit(0);
+    }
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace
+
+std::string crashing_driver_variables(const std::function<void()>& attempt) {
+    std::string doubtful = doubtful_driver_variables();
+    return doubtful.empty() || survives(attempt) ? "" : doubtful;
 }
 
 }  // namespace normalscope

@@ -3,6 +3,6 @@
 namespace normalscope {
 
 // No process can be divided in two there: the attempt itself has to tell.
-bool survives(const std::function<void()>&) { return true; }
+std::string crashing_driver_variables(const std::function<void()>&) { return ""; }
 
 }  // namespace normalscope
