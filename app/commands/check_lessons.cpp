@@ -37,28 +37,25 @@ std::vector<std::string> wrong_claims(const LessonStep& step, Studio& studio) {
     return wrong_numbers(nlohmann::ordered_json::parse(numbers_of(step, studio)), expected);
 }
 
-// Whether the words of all steps leave half of the screen to the picture, presented in this room.
-bool words_fit(Interface& interface, const Lesson& lesson, glm::ivec2 room) {
+// Whether the words of a step leave half of the screen to the picture, presented in this room.
+bool words_fit(Interface& interface, const std::shared_ptr<const Lesson>& lesson, std::size_t step, glm::ivec2 room) {
     interface.lecture().present(true);
-    interface.open_lesson(std::make_shared<const Lesson>(lesson), Scene{}, 0);
+    Scene scene;
+    interface.open_lesson(lesson, scene, step);
+    interface.lecture().player.arrive(scene);
     interface.prepare(Theme::Light, DisplayScale{}.of(1.0f, room, true));
     return 2 * (room.y - interface.picture(room).size.y) < room.y;
 }
 
 std::vector<std::string> rooms_too_small(const Lesson& lesson) {
     OffscreenGui gui;
+    const auto shared = std::make_shared<const Lesson>(lesson);
     std::vector<std::string> lines;
-    for (const glm::ivec2 room : kRooms) {
-        if (words_fit(gui.interface, lesson, room)) continue;
-        for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-            Lesson alone = lesson;
-            alone.name += "#" + std::to_string(i + 1);  // another lesson, for the player
-            alone.steps = {lesson.steps[i]};
-            if (!words_fit(gui.interface, alone, room))
+    for (const glm::ivec2 room : kRooms)
+        for (std::size_t i = 0; i < lesson.steps.size(); ++i)
+            if (!words_fit(gui.interface, shared, i, room))
                 lines.push_back("step " + std::to_string(i + 1) + ": its words leave the picture less than half of a " +
                                 std::to_string(room.x) + "x" + std::to_string(room.y) + " screen; say less");
-        }
-    }
     return lines;
 }
 

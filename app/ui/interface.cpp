@@ -67,12 +67,7 @@ void Interface::draw_letters_by(DrawLetter draw) { state_->letters.draw_by(std::
 
 PixelRect Interface::picture(glm::ivec2 framebuffer) const {
     const Arrangement a = state_->arrangement(framebuffer);
-    PixelRect picture = a.picture;
-    if (!a.drawer)
-        picture.size.y -= static_cast<int>(state_->lecture.strip_height(
-            state_->look, static_cast<float>(picture.size.x), static_cast<float>(framebuffer.y)));
-    picture.size.y = std::max(picture.size.y, 1);
-    return picture;
+    return a.drawer ? a.picture : state_->lecture.picture(state_->look, a.picture);
 }
 
 void Interface::key_was_pressed() { state_->look.tips = false; }
@@ -92,12 +87,10 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     s.trail.draw(s.look, frame);
     const std::vector<SideTab> tabs = s.tabs();
     if (const auto tab = s.lecture.wanted_tab()) show_tab(*tab);
-    const auto strip_top = static_cast<float>(frame.rect.origin.y + frame.rect.size.y);
-    s.lecture.draw(s.look, scene, {static_cast<float>(frame.rect.origin.x), strip_top},
-                   {static_cast<float>(frame.rect.size.x), ImGui::GetIO().DisplaySize.y - strip_top});
+    const glm::ivec2 framebuffer(io.DisplaySize.x, io.DisplaySize.y);
+    s.lecture.draw(s.look, scene, s.arrangement(framebuffer).picture, frame.rect);
     if (const auto lesson = s.lecture.wanted_lesson()) requests.open = lesson;
     s.dialog.set_scene_file(status.has_file ? status.file : "");
-    const glm::ivec2 framebuffer(io.DisplaySize.x, io.DisplaySize.y);
     const Arrangement room = s.arrangement(framebuffer);
     if (room.drawer && drawer_handle(s.look, frame.rect, s.drawer_open)) s.drawer_open = !s.drawer_open;
     if (room.strip) s.draw_strip(scene, frame, status, requests);

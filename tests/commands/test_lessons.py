@@ -80,7 +80,9 @@ class LessonsTest(CommandTest):
     def test_lessons_are_checked(self):
         self.assertIn(b"10 steps, all is well", self.assert_done("lessons", "--check", LESSONS[0].stem))
         steps = [{"caption": "a", "scene": {"stack": [{"scale": [1, 2, 1]}]}, "numbers": {"error_degrees.bound": 40, "condition": 2}},
-                 {"caption": "word " * 79, "look_at": "word " * 47, "equations": ["x = 1", "y = 2", "z = 3"]}]
+                 {"caption": "word " * 79, "look_at": "word " * 47, "equations": ["x = 1", "y = 2", "z = 3"],
+                  "question": {"ask": "word " * 47, "choices": [
+                      {"text": "word " * 17, "right": i == 0, "because": "word " * 47} for i in range(5)]}}]
         file = self.file("mine.json", json.dumps({"lesson": "Mine", "steps": steps}))
         result = run("lessons", "--check", file)
         self.assertEqual(result.returncode, 1)
@@ -265,14 +267,15 @@ class LessonsTest(CommandTest):
 
 
 def heights_of_lines(pixels):
-    """Of the rows in the left quarter of a picture that hold ink, those together; from the lowest up to where the ground is
-    no longer that of the lowest."""
-    ground, part = pixels[-1][1], len(pixels[0]) // 4
+    """Of the rows of the column of words, at a picture's right, that hold ink, those together; from the lowest up to where the
+    ground is no longer that of the lowest."""
+    ground = pixels[-1][-2]
+    start = max(x for x, pixel in enumerate(pixels[-1]) if pixel != ground) + 1
     lines, height = [], 0
     for row in reversed(pixels):
-        if row[1] != ground:
+        if row[-2] != ground:
             break
-        if any(sum(abs(a - b) for a, b in zip(pixel, ground)) > 200 for pixel in row[:part]):
+        if any(sum(abs(a - b) for a, b in zip(pixel, ground)) > 200 for pixel in row[start:]):
             height += 1
         elif height:
             lines.append(height)
@@ -282,12 +285,12 @@ def heights_of_lines(pixels):
 
 class LettersTest(CommandTest):
     def test_large_enough_for_the_last_row(self):
-        # What a lecture shows, measured in the picture. A capital of Open Sans is 0.714 of its size high: 20 pixels where
-        # letters are of 28. The title, the caption, the equation, the question, its choices.
+        # What a lecture shows, measured in the picture. A capital of Open Sans is 0.714 of its size high: 25 pixels where
+        # letters are of 36. The title, the caption, the equation, the question, its choices.
         lesson = self.file("h.json", json.dumps({"lesson": "H", "steps": [
             {"caption": "H", "equations": ["H"], "look_at": "H", "question": {"ask": "H", "choices": [
                 {"text": "H", "right": True, "because": "H"}, {"text": "H", "because": "H"}]}}]}))
-        for size, least in (("1920x1080", 20), ("1024x768", 10)):
+        for size, least in (("1920x1080", 25), ("1024x768", 13)):
             self.assert_done("animate", lesson, "-o", self.folder / f"{size}-%d.png", "--size", size, "--fps", 1, "--seconds", 1)
             lines = heights_of_lines(png_pixels((self.folder / f"{size}-0.png").read_bytes()))
             self.assertGreaterEqual(len(lines), 5, (size, lines))

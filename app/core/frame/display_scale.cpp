@@ -8,7 +8,7 @@ namespace normalscope {
 namespace {
 
 constexpr double kStep = 1.1, kSmallest = 0.6, kLargest = 3.0;
-constexpr double kSmallestWords = 13.0, kPresented = 28.0;
+constexpr double kSmallestWords = 15.0, kPresented = 36.0;
 
 }  // namespace
 

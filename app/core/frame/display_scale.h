@@ -12,7 +12,7 @@ struct DisplayScale {
     /// One step larger (+1) or smaller (−1), or back to 1 (0).
     void change(bool presenting, int steps);
     /// Physical pixels per logical one: as the desktop says, and more in a window larger than 1920 × 1080. In presenter mode
-    /// the smallest words, of 13 logical pixels, are 28 pixels high where the picture is 1080 high, and keep their share of
+    /// the smallest words that are said, of 15 logical pixels, are 36 pixels high where the screen is 1080 high, and keep their share of
     /// it otherwise.
     float of(float desktop, glm::ivec2 framebuffer, bool presenting) const;
 };

@@ -7,8 +7,14 @@
 
 namespace normalscope {
 
+namespace {
+double gently(double t) { return t * t * (3.0 - 2.0 * t); }
+}  // namespace
+
+double LessonPlayer::way_done() const { return way_ ? gently(std::min(way_->seconds / kSeconds, 1.0)) : 1.0; }
+
 Scene LessonPlayer::between(const Scene& from, const Scene& to, double t) {
-    Scene scene = blend(from, to, t * t * (3.0 - 2.0 * t));
+    Scene scene = blend(from, to, gently(t));
     try {
         (void)world_from_object(scene);
     } catch (const InputError&) {

@@ -42,6 +42,8 @@ public:
     bool moving() const { return way_.has_value(); }
     /// Of which the last part is what the step itself shows, once.
     bool on_path() const { return way_ && way_->seconds >= kSeconds; }
+    /// How much of the way is done, from 0 to 1, which begins and ends gently.
+    double way_done() const;
     /// So many seconds further. Whoever changes the scene meanwhile stops the movement.
     void advance(double seconds, Scene& scene);
     /// Ends the movement at once.

@@ -52,7 +52,7 @@ public:
         if (hit) {
             const glm::dvec3 p = ray_.point_world->xyz;
             add_ball(pane_.solids, p, std::max(0.03 * unit_, 4.0 * pixel_), glm::vec4(colors_.text, 1.0f));
-            word(p, "t = " + with_decimals(*ray_.t, 3), colors_.text);
+            word(p, (step_ >= 3 ? "p,  t = " : "t = ") + with_decimals(*ray_.t, 3), colors_.text);
         }
     }
 
@@ -66,7 +66,7 @@ public:
         if (!hit) return;
         const glm::dvec3 p = o + *ray_.t * d;
         add_ball(pane_.solids, p, std::max(0.03, 4.0 * pixel_), glm::vec4(colors_.ghost, 1.0f));
-        word(p, (step_ >= 3 ? "p,  t = " : "t = ") + with_decimals(*ray_.t, 3), colors_.ghost);
+        word(p, (step_ >= 3 ? "M\u207B\u00B9 p,  t = " : "t = ") + with_decimals(*ray_.t, 3), colors_.ghost);
         if (step_ >= 4 && ray_.gradient) {
             const glm::dvec3 n = kNormal * glm::normalize(ray_.gradient->xyz);
             arrow(p, n, thick(1.3), colors_.ghost);

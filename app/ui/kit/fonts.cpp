@@ -153,10 +153,10 @@ Fonts build_fonts(float scale, ExtraLetters& extra, Previews* previews, bool cap
     fonts.numbers = baker.add(kRegular, 14.0f, kDigits.data());
     fonts.tiny = baker.add(kRegular, 10.0f, kDigits.data());
     if (captions) {
-        fonts.caption = all(19.0f);
-        fonts.equation = all(25.0f);
         fonts.caption_letters = baker.add(kSlanted, 19.0f, kLetters.data());
         fonts.equation_letters = baker.add(kSlanted, 25.0f, kLetters.data());
+        fonts.caption = all(19.0f);
+        fonts.equation = all(25.0f);
     }
     ImGui::GetIO().FontDefault = fonts.body;
     if (previews) previews->reserve(atlas);

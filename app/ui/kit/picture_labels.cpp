@@ -15,6 +15,8 @@ namespace normalscope {
 
 namespace {
 
+constexpr float kLegendInLecture = 0.42f;  // of the picture, where words are large: it is not to hide what it explains
+
 ImVec2 extent(const ImFont* font, std::string_view text) {
     return font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.data(), text.data() + text.size());
 }
@@ -23,7 +25,10 @@ ImVec2 extent(const ImFont* font, std::string_view text) {
 class Writer {
 public:
     Writer(const Look& look, const Frame& frame)
-        : look_{look}, colors_{theme_colors(frame.theme)}, list_{*ImGui::GetBackgroundDrawList()} {}
+        : look_{look},
+          words_{look.fonts.caption ? look.fonts.body : look.fonts.small},
+          colors_{theme_colors(frame.theme)},
+          list_{*ImGui::GetBackgroundDrawList()} {}
 
     void plain(const ImFont* font, ImVec2 at, const ImVec4& color, std::string_view text) const {
         list_.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)}, packed(color), text.data(),
@@ -52,9 +57,9 @@ public:
     };
     TitleStyle title_style(const Frame& frame) const {
         const TitleStyle large{look_.fonts.title, true, look_.px(18), look_.px(14)},
-            narrow{look_.fonts.small, false, look_.px(12), look_.px(8)};
+            narrow{words_, false, look_.px(12), look_.px(8)};
         for (const TitleStyle& style : {large, TitleStyle{look_.fonts.strong, true, narrow.pad, narrow.top},
-                                        TitleStyle{look_.fonts.small, true, narrow.pad, narrow.top},
+                                        TitleStyle{words_, true, narrow.pad, narrow.top},
                                         TitleStyle{look_.fonts.strong, false, narrow.pad, narrow.top}}) {
             // A large one would stand before the object's top where there is little room.
             bool fits = style.font != look_.fonts.title || frame.rect.size.y >= static_cast<int>(look_.px(400));
@@ -89,9 +94,9 @@ public:
         if (inside.x < 0.0f || inside.y < 0.0f || inside.x > size_of_pane.x || inside.y > size_of_pane.y) return;
         const bool small = label.role == Label::Role::Note || label.role == Label::Role::Level;
         const bool boxed = label.role == Label::Role::Side || label.role == Label::Role::Level;
-        const ImFont* font = small ? look_.fonts.small : look_.fonts.strong;
+        const ImFont* font = small ? words_ : look_.fonts.strong;
         const float room = size_of_pane.x - look_.px(8);
-        if (extent(font, label.text).x > room) font = look_.fonts.small;
+        if (extent(font, label.text).x > room) font = words_;
         const ImVec2 size = extent(font, label.text);
         if (size.x > room) return;  // rather none than half a word
         ImVec2 at{label.pixel.x - size.x / 2, label.pixel.y - size.y / 2};
@@ -128,7 +133,7 @@ public:
     }
     ImVec2 legend_size(const std::vector<LegendEntry>& entries) const {
         float width = 0.0f;
-        for (const LegendEntry& entry : entries) width = std::max(width, extent(look_.fonts.small, entry.text).x);
+        for (const LegendEntry& entry : entries) width = std::max(width, extent(words_, entry.text).x);
         return {width + look_.px(12 + 30 + 9 + 14), static_cast<float>(entries.size()) * row() + look_.px(14)};
     }
 
@@ -139,21 +144,20 @@ public:
         for (const LegendEntry& entry : entries) {
             draw_arrow(list_, entry.look, {low.x + look_.px(12), y}, {low.x + look_.px(42), y}, look_.px(3),
                        packed(to_imgui(entry.color)));
-            plain(look_.fonts.small, {low.x + look_.px(51), y - look_.fonts.small->FontSize / 2},
-                  to_imgui(colors_.text), entry.text);
+            plain(words_, {low.x + look_.px(51), y - words_->FontSize / 2}, to_imgui(colors_.text), entry.text);
             y += row();
         }
     }
 
     // As wide as there is room, if there is enough for its title.
     ImVec2 key_size(float room, const std::string& title) const {
-        const float least = std::max(look_.px(120), extent(look_.fonts.small, title).x + look_.px(16 + 20));
+        const float least = std::max(look_.px(120), extent(words_, title).x + look_.px(16 + 20));
         return {room < least ? 0.0f : std::min(look_.px(284), room), look_.px(64)};
     }
 
     void normals_key(ImVec2 low, ImVec2 size, const std::string& text) const {
         card(low, {low.x + size.x, low.y + size.y});
-        const ImFont* font = look_.fonts.small;
+        const ImFont* font = words_;
         plain(font, {low.x + look_.px(16), low.y + look_.px(5)}, to_imgui(colors_.text), text);
         const float width = (size.x - look_.px(36)) / 3, top = low.y + look_.px(26);
         for (int k = 0; k < 3; ++k) {
@@ -177,7 +181,7 @@ public:
 
     void error_key(ImVec2 low, ImVec2 size, const std::string& title) const {
         card(low, {low.x + size.x, low.y + size.y});
-        const ImFont* font = look_.fonts.small;
+        const ImFont* font = words_;
         plain(font, {low.x + look_.px(16), low.y + look_.px(5)}, to_imgui(colors_.text), title);
         const ImVec2 bar{low.x + look_.px(16), low.y + look_.px(26)},
             end{low.x + size.x - look_.px(20), bar.y + look_.px(12)};
@@ -201,9 +205,10 @@ public:
     }
 
 private:
-    float row() const { return look_.fonts.small->FontSize + look_.px(4); }
+    float row() const { return words_->FontSize + look_.px(4); }
 
     const Look& look_;
+    const ImFont* words_;  ///< of the legend and of notes: larger in a lecture
     ThemeColors colors_;
     ImDrawList& list_;
 };
@@ -234,8 +239,9 @@ void draw_words(const Look& look, const Frame& frame) {
     const float room = right - left;
     const auto key = frame.color_key ? writer.key_size(room, frame.color_key->text) : ImVec2(0, 0);
     float beside = left;
-    const auto legend =
-        writer.legend_within({room, bottom - static_cast<float>(frame.rect.origin.y) - margin}, frame.legend);
+    const auto legend = writer.legend_within({look.fonts.caption ? kLegendInLecture * room : room,
+                                              bottom - static_cast<float>(frame.rect.origin.y) - margin},
+                                             frame.legend);
     if (!legend.empty()) {
         const ImVec2 size = writer.legend_size(legend);
         writer.legend({left, bottom - size.y}, legend);

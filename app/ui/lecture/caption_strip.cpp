@@ -10,73 +10,13 @@ namespace normalscope {
 
 namespace {
 
-constexpr float kPad = 20.0f, kHeader = 34.0f, kGap = 7.0f, kBottom = 12.0f;
-constexpr float kTwoColumns = 640.0f;  // from this width on, choices stand in two columns
-
-MathStyle style_with(const Look& look, const ImFont* words, const ImFont* below, const ImFont* letters) {
-    MathStyle style = math_style(look);
-    style.script = words;
-    style.subscript_in_text = below;
-    style.letters_in_text = letters;
-    return style;
-}
-
-MathBox caption_box(const Look& look, std::string_view text, float width) {
-    return paragraph(style_with(look, look.fonts.caption, look.fonts.small, look.fonts.caption_letters), text, width,
-                     WordInks{});
-}
-MathBox note_box(const Look& look, std::string_view text, float width, Ink ink) {
-    return paragraph(style_with(look, look.fonts.body, look.fonts.tiny, nullptr), text, width, {.words = ink});
-}
-MathBox equation_box(const Look& look, std::string_view text, float width) {
-    MathStyle style = style_with(look, look.fonts.equation, look.fonts.body, look.fonts.equation_letters);
-    style.formula = true;
-    return paragraph(style, text, width, WordInks{});
-}
-
-std::size_t columns_of(const Look& look, const Question& question, float width) {
-    return width >= look.px(kTwoColumns) && question.choices.size() > 2 ? 2 : 1;
-}
-float choice_width(const Look& look, std::size_t columns, float width) {
-    return std::floor((width - static_cast<float>(columns - 1) * look.px(kGap)) / static_cast<float>(columns));
-}
-MathBox choice_box(const Look& look, const Choice& choice, float width) {
-    return note_box(look, choice.text, width - look.px(30 + 12), Ink::Plain);
-}
-std::string verdict(const Choice& choice) { return (choice.right ? "✓  " : "✗  ") + choice.because; }
-
-float height_of(const Look& look, const MathBox& box) { return box.height() + look.px(kGap); }
-
-float question_height(const Look& look, const Question& question, float width) {
-    float height = height_of(look, note_box(look, question.text, width, Ink::Plain)), because = 0.0f;
-    const std::size_t columns = columns_of(look, question, width);
-    const float each = choice_width(look, columns, width);
-    for (std::size_t i = 0; i < question.choices.size(); i += columns) {
-        float row = 0.0f;
-        for (std::size_t k = i; k < std::min(i + columns, question.choices.size()); ++k)
-            row = std::max(row, choice_box(look, question.choices[k], each).height());
-        height += row + look.px(10 + 5);
-    }
-    for (const Choice& choice : question.choices)
-        because = std::max(because, height_of(look, note_box(look, verdict(choice), width, Ink::Good)));
-    return height + because;
-}
-
-float height_of(const Look& look, const Speech& speech, float width) {
-    float height = height_of(look, caption_box(look, speech.caption, width));
-    if (!speech.look_at.empty()) height += height_of(look, note_box(look, speech.look_at, width, Ink::Dim));
-    for (const std::string& line : speech.equations) height += height_of(look, equation_box(look, line, width));
-    if (speech.question) height += question_height(look, *speech.question, width);
-    return height;
-}
-
 /// Puts boxes below each other.
 class Column {
 public:
     Column(const Look& look, ImVec2 at) : look_(look), at_(at) {}
     void put(const MathBox& box) {
         draw_math(*ImGui::GetWindowDrawList(), look_, box, {at_.x, std::round(at_.y + box.ascent)});
-        at_.y += height_of(look_, box);
+        at_.y += box.height() + look_.px(kStripGap);
     }
     ImVec2 at() const { return at_; }
     void skip(float height) { at_.y += height; }
@@ -106,7 +46,7 @@ bool choice_button(const Look& look, const Choice& choice, std::size_t i, bool c
 void draw_question(const Look& look, const Question& question, const StripState& state, float width, Column& column,
                    StripRequests& requests) {
     column.put(note_box(look, question.text, width, Ink::Plain));
-    const std::size_t columns = columns_of(look, question, width);
+    const std::size_t columns = choice_columns(look, question, width);
     const float each = choice_width(look, columns, width);
     for (std::size_t i = 0; i < question.choices.size(); i += columns) {
         const std::size_t end = std::min(i + columns, question.choices.size());
@@ -114,7 +54,7 @@ void draw_question(const Look& look, const Question& question, const StripState&
         for (std::size_t k = i; k < end; ++k) row = std::max(row, choice_box(look, question.choices[k], each).height());
         row += look.px(10);
         for (std::size_t k = i; k < end; ++k) {
-            const ImVec2 at{column.at().x + static_cast<float>(k - i) * (each + look.px(kGap)), column.at().y};
+            const ImVec2 at{column.at().x + static_cast<float>(k - i) * (each + look.px(kStripGap)), column.at().y};
             if (choice_button(look, question.choices[k], k, state.answer == k, at, {each, row})) requests.choose = k;
         }
         column.skip(row + look.px(5));
@@ -158,7 +98,7 @@ float draw_ways(const Look& look, const StripState& state, float right, StripReq
         ImGui::TextUnformatted(where.c_str());
         return at;
     };
-    if (state.recorded) return tell_where(x - wide - look.px(kPad - 10));
+    if (state.recorded) return tell_where(x - wide - look.px(kStripPad - 10));
     x -= side + look.px(6);
     ImGui::SetCursorPos({x, look.px(4)});
     const bool more = state.number + 1 < state.count;
@@ -188,26 +128,35 @@ void draw_progress(const Look& look, const StripState& state, ImVec2 low, float 
     list.AddRectFilled(low, {low.x + done, low.y + look.px(3)}, packed(look.accent));
 }
 
+// What stands beside or below the words, set off by a rule.
+void draw_board(const Look& look, const Speech& speech, const StripRooms& rooms, ImVec2 low) {
+    const std::vector<MathBox> rows = board_rows(look, speech, rooms.board_size);
+    if (rows.empty()) return;
+    const ImVec2 at{low.x + rooms.board_low.x, low.y + rooms.board_low.y};
+    const bool beside = rooms.board_low.x > rooms.words_low.x;
+    const ImVec2 from = beside ? ImVec2(at.x - look.px(kStripPad), at.y) : ImVec2(at.x, at.y - look.px(kStripGap)),
+                 to = beside ? ImVec2(from.x, at.y + rooms.board_size.y) : ImVec2(at.x + rooms.board_size.x, from.y);
+    ImGui::GetWindowDrawList()->AddLine(from, to, packed(look.line), std::max(1.0f, look.px(1)));
+    Column column(look, {at.x, at.y + look.px(2)});
+    for (const MathBox& row : rows) column.put(row);
+}
+
 }  // namespace
 
-Speech speech_of(const LessonStep& step) {
-    const bool both = !step.look_at.empty() && !step.to_try.empty();
-    return {step.caption, step.look_at + (both ? " " : "") + step.to_try, step.equations, step.question};
+StripPlace CaptionStrip::place(const Look& look, std::span<const Speech> lesson, std::span<const Speech> held,
+                               ImVec2 room) {
+    const bool known = measured_ && measured_->room.x == room.x && measured_->room.y == room.y &&
+                       std::ranges::equal(measured_->lesson, lesson) && std::ranges::equal(measured_->held, held);
+    if (!known)
+        measured_ = Measured{
+            {lesson.begin(), lesson.end()}, {held.begin(), held.end()}, room, strip_place(look, lesson, held, room)};
+    return measured_->place;
 }
 
-float CaptionStrip::height(const Look& look, std::span<const Speech> speeches, float width, float most) {
-    if (!measured_ || measured_->width != width || !std::ranges::equal(measured_->speeches, speeches)) {
-        measured_ = Measured{{speeches.begin(), speeches.end()}, width, 0.0f};
-        for (const Speech& speech : speeches)
-            measured_->height =
-                std::max(measured_->height, height_of(look, speech, std::max(width - 2 * look.px(kPad), look.px(80))));
-    }
-    return std::min(std::ceil(measured_->height + look.px(kHeader + kBottom)), most);
-}
-
-StripRequests CaptionStrip::draw(const Look& look, const Speech& speech, const StripState& state, ImVec2 low,
-                                 ImVec2 size) {
+StripRequests CaptionStrip::draw(const Look& look, const Speech& speech, const StripState& state,
+                                 const StripRoom& room) {
     StripRequests requests;
+    const auto [low, size, side] = room;
     ImGui::SetNextWindowPos(low);
     ImGui::SetNextWindowSize(size);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
@@ -219,18 +168,20 @@ StripRequests CaptionStrip::draw(const Look& look, const Speech& speech, const S
     ImGui::PopStyleVar(2);
     draw_progress(look, state, low, size.x);
     const float left = draw_ways(look, state, size.x - look.px(10), requests);
-    ImGui::SetCursorPos({look.px(kPad), look.px(4) + std::round((look.px(30) - ImGui::GetTextLineHeight()) / 2)});
-    dim_text(look, shortened(state.title, left - look.px(kPad + 16)));
+    ImGui::SetCursorPos({look.px(kStripPad), look.px(4) + std::round((look.px(30) - ImGui::GetTextLineHeight()) / 2)});
+    dim_text(look, shortened(state.title, left - look.px(kStripPad + 16)));
 
-    // Where the words are more than the strip holds, they scroll.
-    ImGui::SetCursorPos({0, look.px(kHeader)});
+    const StripRooms rooms = strip_rooms(look, speech, side, size);
+    draw_board(look, speech, rooms, low);
+    // Where the words are more than the strip holds, they scroll; what is new on the board stays.
+    ImGui::SetCursorPos({0, rooms.words_low.y});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-    ImGui::BeginChild("##words", {size.x, size.y - look.px(kHeader)}, 0, ImGuiWindowFlags_NavFlattened);
-    const float width = std::max(size.x - 2 * look.px(kPad), look.px(80));
+    ImGui::BeginChild("##words", {rooms.words_low.x + rooms.words_size.x + look.px(kStripPad), rooms.words_size.y}, 0,
+                      ImGuiWindowFlags_NavFlattened);
+    const float width = rooms.words_size.x;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
-    Column column(look, {origin.x + look.px(kPad), origin.y + look.px(2)});
-    column.put(caption_box(look, speech.caption, width));
-    for (const std::string& line : speech.equations) column.put(equation_box(look, line, width));
+    Column column(look, {origin.x + rooms.words_low.x, origin.y + look.px(2)});
+    column.put(caption_box(look, speech, width));
     if (!speech.look_at.empty()) column.put(note_box(look, speech.look_at, width, Ink::Dim));
     if (speech.question) {
         ImGui::PushStyleColor(ImGuiCol_Button, state.recorded ? ImVec4{} : ImGui::GetStyleColorVec4(ImGuiCol_Button));

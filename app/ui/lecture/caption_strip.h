@@ -1,8 +1,7 @@
 #pragma once
 
-#include "core/lessons/lesson.h"
 #include "ui/kit/style.h"
-#include "ui/typeset/math_box.h"
+#include "ui/lecture/strip_layout.h"
 
 #include <cstddef>
 #include <optional>
@@ -11,15 +10,6 @@
 #include <vector>
 
 namespace normalscope {
-
-/// What is said below the picture: in a lesson, or by a lecturer.
-struct Speech {
-    std::string caption, look_at;
-    std::vector<std::string> equations;
-    std::optional<Question> question;
-    friend bool operator==(const Speech&, const Speech&) = default;
-};
-Speech speech_of(const LessonStep& step);
 
 struct StripAction {
     const char *label, *about;
@@ -41,21 +31,27 @@ struct StripRequests {
     std::optional<std::size_t> choose, action;
 };
 
-/// The strip below the picture that says it.
+struct StripRoom {
+    ImVec2 low, size;
+    StripPlace::Side side = StripPlace::Side::Below;
+};
+
+/// The strip below or beside the picture that says it, with the board on which the equations stay.
 class CaptionStrip {
 public:
-    /// As high as the highest of these needs, so that the picture keeps its size from step to step; at most `most`.
-    float height(const Look& look, std::span<const Speech> speeches, float width, float most);
+    /// As strip_place has it.
+    StripPlace place(const Look& look, std::span<const Speech> lesson, std::span<const Speech> held, ImVec2 room);
 
-    StripRequests draw(const Look& look, const Speech& speech, const StripState& state, ImVec2 low, ImVec2 size);
+    StripRequests draw(const Look& look, const Speech& speech, const StripState& state, const StripRoom& room);
 
     /// What was measured holds for its fonts only.
     void forget_layout() { measured_.reset(); }
 
 private:
     struct Measured {
-        std::vector<Speech> speeches;
-        float width = 0.0f, height = 0.0f;
+        std::vector<Speech> lesson, held;
+        ImVec2 room;
+        StripPlace place;
     };
     std::optional<Measured> measured_;
 };

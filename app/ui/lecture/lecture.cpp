@@ -12,8 +12,13 @@ namespace normalscope {
 
 namespace {
 
-// More words than this leave too little of the picture.
-constexpr float kLargestShare = 0.5f;
+// What the picture leaves of the room.
+StripRoom beside(const PixelRect& room, const PixelRect& picture) {
+    const glm::vec2 low(room.origin), size(room.size), taken(picture.size);
+    if (picture.size.x < room.size.x)
+        return {{low.x + taken.x, low.y}, {size.x - taken.x, size.y}, StripPlace::Side::Beside};
+    return {{low.x, low.y + taken.y}, {size.x, size.y - taken.y}, StripPlace::Side::Below};
+}
 
 }  // namespace
 
@@ -49,6 +54,7 @@ void Lecture::leave(Scene& scene) {
 void Lecture::go_to(std::size_t step, const Scene& scene) {
     announced_ = Announced::Nothing;
     player.go_to(step, scene);
+    takes_before_ = takes_;
     progress[player.lesson().name] = player.number();
     const std::string& tab = player.step().tab;
     if (!tab.empty() || opened_tab_) tab_ = tab;
@@ -148,34 +154,54 @@ void Lecture::start_exercises(std::uint64_t seed, Scene& scene) {
     exercises.start(seed, scene);
 }
 
-std::vector<Speech> Lecture::speeches() const {
-    std::vector<Speech> all;
-    if (exercises.running())
-        all = exercises.speeches();
-    else if (player.running())
-        for (const LessonStep& step : player.lesson().steps) all.push_back(speech_of(step));
-    else if (presenting)
-        all.push_back(said_);
-    return all;
+Lecture::Said Lecture::said() const {
+    Said said;
+    if (exercises.running()) {
+        said.all = exercises.speeches();  // any of them may come next
+        said.count = said.all.size();
+    } else if (player.running()) {
+        for (std::size_t i = 0; i < player.lesson().steps.size(); ++i)
+            said.all.push_back(speech_of(player.lesson(), i));
+        said.first = player.number();
+        said.count = 1;
+    } else if (presenting) {
+        said.all.push_back(said_);
+        said.count = 1;
+    }
+    return said;
 }
 
-float Lecture::strip_height(const Look& look, float width, float window_height) {
-    const std::vector<Speech> all = speeches();
-    if (all.empty() || !look.fonts.caption) return 0.0f;
-    return strip_.height(look, all, width, std::floor(kLargestShare * window_height));
+PixelRect Lecture::picture(const Look& look, const PixelRect& room) {
+    const Said now = said();
+    PixelRect picture = room;
+    if (now.all.empty() || !look.fonts.caption) return picture;
+    const StripPlace place = strip_.place(look, now.all, std::span(now.all).subspan(now.first, now.count),
+                                          {static_cast<float>(room.size.x), static_cast<float>(room.size.y)});
+    if (place.side == StripPlace::Side::Beside) {
+        picture.size.x = std::max(room.size.x - static_cast<int>(place.takes), 1);
+        takes_before_ = takes_ = 0.0f;
+        return picture;
+    }
+    // It grows and shrinks as gently as the object moves.
+    const auto t = static_cast<float>(player.running() ? player.way_done() : 1.0);
+    if (t >= 1.0f || takes_before_ == 0.0f) takes_before_ = place.takes;
+    takes_ = takes_before_ + t * (place.takes - takes_before_);
+    picture.size.y = std::max(room.size.y - static_cast<int>(takes_), 1);
+    return picture;
 }
 
-void Lecture::draw(const Look& look, Scene& scene, ImVec2 strip_low, ImVec2 strip_size) {
+void Lecture::draw(const Look& look, Scene& scene, const PixelRect& room, const PixelRect& picture) {
     if (player.running() && !recorded)
         player.advance(std::min(static_cast<double>(ImGui::GetIO().DeltaTime), 0.1), scene);
     if (presenting && !player.running() && !exercises.running()) {
         SceneSaid said = said_of(scene);
         said_ = {std::move(said.caption), {}, std::move(said.equations), {}};
     }
-    const std::vector<Speech> all = speeches();
-    if (all.empty() || strip_size.y < 1.0f || !look.fonts.caption) return;
+    const std::vector<Speech> all = said().all;
+    const StripRoom strip = beside(room, picture);
+    if (all.empty() || strip.size.x < 1.0f || strip.size.y < 1.0f || !look.fonts.caption) return;
     if (exercises.running()) {
-        exercises.obey(strip_.draw(look, all.front(), exercises.state(), strip_low, strip_size), scene);
+        exercises.obey(strip_.draw(look, all.front(), exercises.state(), strip), scene);
         return;
     }
     StripState state;
@@ -198,7 +224,7 @@ void Lecture::draw(const Look& look, Scene& scene, ImVec2 strip_low, ImVec2 stri
                       {},
                       {},
                       {}};
-    const StripRequests requests = strip_.draw(look, speech, state, strip_low, strip_size);
+    const StripRequests requests = strip_.draw(look, speech, state, strip);
     if (!player.running()) {
         return;
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/frame/frame.h"
 #include "core/lessons/lesson_player.h"
 #include "core/lessons/shelf.h"
 #include "core/lessons/writing.h"
@@ -44,10 +45,10 @@ public:
     bool press(LectureKey key, Scene& scene, const Frame* frame);
     void start_exercises(std::uint64_t seed, Scene& scene);
 
-    /// The strip's height, below a picture of this width in a window of that height; 0 without one.
-    float strip_height(const Look& look, float width, float window_height);
-    /// The strip, and whatever moves.
-    void draw(const Look& look, Scene& scene, ImVec2 strip_low, ImVec2 strip_size);
+    /// What the words leave to the picture of a room that both share.
+    PixelRect picture(const Look& look, const PixelRect& room);
+    /// The words in what the picture leaves of the room, and whatever moves.
+    void draw(const Look& look, Scene& scene, const PixelRect& room, const PixelRect& picture);
     /// In front of all else.
     void draw_screen(const Look& look, bool pointer_rests) const;
     /// The tab that the step wants open, or an empty name for none, once after it has been reached.
@@ -73,7 +74,12 @@ private:
     std::optional<ListedLesson> next_lesson() const { return neighbour(+1); }
     std::optional<ListedLesson> previous_lesson() const { return neighbour(-1); }
     std::optional<ListedLesson> neighbour(int places) const;
-    std::vector<Speech> speeches() const;
+    /// All that is said in the lesson or the exercise, and what the strip is to hold now: parts of it.
+    struct Said {
+        std::vector<Speech> all;
+        std::size_t first = 0, count = 0;
+    };
+    Said said() const;
 
     CaptionStrip strip_;
     std::optional<Theme> blank_;  ///< dark: black, light: white
@@ -84,6 +90,7 @@ private:
     enum class Announced { Nothing, Next, Previous };
     Announced announced_ = Announced::Nothing;
     std::optional<std::string> wanted_lesson_;
+    float takes_before_ = 0.0f, takes_ = 0.0f;  ///< of the room, below the picture: at the step before, and now
     Speech said_;  ///< of the scene, as of the last draw: in presenter mode without a lesson
 };
 
