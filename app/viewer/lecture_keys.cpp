@@ -11,6 +11,7 @@ std::optional<LectureKey> lecture_key(ImGuiKey key) {
         case ImGuiKey_LeftArrow: return LectureKey::Left;
         case ImGuiKey_UpArrow: return LectureKey::Up;
         case ImGuiKey_DownArrow: return LectureKey::Down;
+        case ImGuiKey_Space:
         case ImGuiKey_Enter:
         case ImGuiKey_KeypadEnter: return LectureKey::Enter;
         case ImGuiKey_Slash: return LectureKey::Hint;  // the question mark's key

@@ -26,10 +26,12 @@ TEST_F(LessonsTest, ByTheKeysOfARemoteControl) {
     EXPECT_EQ(scene().stack, stack_of(0));
     key(ImGuiKey_PageDown);
     EXPECT_EQ(scene().stack, stack_of(1));
-    key(ImGuiKey_RightArrow);
-    EXPECT_EQ(scene().stack, stack_of(2));
-    key(ImGuiKey_PageUp);
-    EXPECT_EQ(scene().stack, stack_of(1));
+    for (const ImGuiKey next : {ImGuiKey_RightArrow, ImGuiKey_Space, ImGuiKey_Enter}) {
+        key(next);
+        EXPECT_EQ(scene().stack, stack_of(2));
+        key(ImGuiKey_PageUp);
+        EXPECT_EQ(scene().stack, stack_of(1));
+    }
     key(ImGuiKey_R);  // play, and come back
     EXPECT_EQ(scene().stack, std::vector<StackEntry>{Scale{}});
     key(ImGuiKey_Home);

@@ -79,6 +79,7 @@ bool Lecture::press(LectureKey key, Scene& scene, const Frame* frame) {
 bool Lecture::press_in_lesson(LectureKey key, const Scene& scene) {
     switch (key) {
         case LectureKey::Next:
+        case LectureKey::Enter:
         case LectureKey::Right: return go_on(scene);
         case LectureKey::Previous:
         case LectureKey::Left: return go_back(scene);
