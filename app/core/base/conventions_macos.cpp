@@ -29,7 +29,7 @@ const char* remedy(Missing what) {
         case Missing::Osmesa:
         case Missing::Egl: return "a Mac has none; leave --context out";
         case Missing::OpenGl:
-            return "OpenGL 3.3 is needed, which virtual machines may lack, and so may whoever is not at the screen";
+            return "OpenGL 3.3 is needed, which virtual machines may lack, and so may anyone who is not at the screen";
         case Missing::Ffmpeg: return "install ffmpeg, and put it into a folder of PATH";
     }
     return "";
