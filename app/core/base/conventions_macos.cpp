@@ -28,8 +28,7 @@ const char* remedy(Missing what) {
     switch (what) {
         case Missing::Osmesa:
         case Missing::Egl: return "a Mac has none; leave --context out";
-        case Missing::OpenGl:
-            return "OpenGL 3.3 is needed, which virtual machines may lack, and so may anyone who is not at the screen";
+        case Missing::OpenGl: return "OpenGL 3.3 is needed, which virtual machines and remote sessions may lack";
         case Missing::Ffmpeg: return "install ffmpeg, and put it into a folder of PATH";
     }
     return "";
