@@ -51,12 +51,14 @@ CLI::Option& add_list(CLI::App& app, const std::string& name, std::vector<std::s
 }
 
 void add_settings(CLI::App& app, std::vector<std::string>& value) {
-    add_list(app, "--set", value, "PATH=VALUE",
-             "Change the scene: a dotted path and a JSON value, where a bare word is a string; may be given again");
+    add_list(
+        app, "--set", value, "PATH=VALUE",
+        "Change the scene: a dotted path and a JSON value, where a bare word is a string; may be given more than once");
 }
 
 void add_lesson_folders(CLI::App& app, std::vector<std::string>& value) {
-    add_list(app, "--lessons", value, "FOLDER", "Lessons of your own, to be listed too; may be given again");
+    add_list(app, "--lessons", value, "FOLDER",
+             "Your own lessons, listed with the others; may be given more than once");
 }
 
 void add_context(CLI::App& app, std::string& value) {

@@ -57,7 +57,7 @@ Declared declare_handout(CLI::App& root) {
     add_lesson(app, given->command.lesson, "; or all, for every built-in one");
     add(app, "-o,--output", given->output, "OUT.html", "The page to write, pictures included; - is standard output")
         .required();
-    add(app, "--size", given->size, "WIDTHxHEIGHT", "Of each picture, in pixels");
+    add(app, "--size", given->size, "WIDTHxHEIGHT", "Size of each picture, in pixels");
     app.add_flag("--live", given->command.live,
                  "Each picture is the program when it is touched, in any browser and without a network");
     add(app, "--answers", given->answers, "end|inline|none", "Where those to its questions stand");
@@ -85,10 +85,11 @@ Declared declare_slides(CLI::App& root) {
            "  normalscope slides 4-derivation -o derivation-slides\n"
            "  normalscope slides mine.json -o mine-slides --size 1280x720 --live");
     add_lesson(app, given->command.lesson);
-    add(app, "-o,--output", given->folder, "FOLDER", "A new folder, or an empty one: 01.png and so on, and index.html")
+    add(app, "-o,--output", given->folder, "FOLDER", "A new or empty folder, for 01.png and so on, and index.html")
         .required();
-    add(app, "--size", given->size, "WIDTHxHEIGHT", "Of each picture, in pixels");
-    app.add_flag("--live", given->command.live, "In index.html each picture is the program when it is touched");
+    add(app, "--size", given->size, "WIDTHxHEIGHT", "Size of each picture, in pixels");
+    app.add_flag("--live", given->command.live,
+                 "In index.html, each picture becomes the program itself when it is touched");
     add_context(app, given->context);
     return {&app, [given] {
                 SlidesCommand command = given->command;
@@ -114,7 +115,7 @@ Declared declare_quiz(CLI::App& root) {
                "; or all, for every built-in one; or exercises:SEED, for the first twelve of that set");
     add(app, "-o,--output", given->output, "OUT.xml", "The questions to write, pictures included; - is standard output")
         .required();
-    add(app, "--size", given->size, "WIDTHxHEIGHT", "Of each picture, in pixels");
+    add(app, "--size", given->size, "WIDTHxHEIGHT", "Size of each picture, in pixels");
     add_context(app, given->context);
     return {&app, [given] {
                 QuizCommand command = given->command;

@@ -20,5 +20,7 @@ struct OffscreenWay {
 
 /// Those that this system has, in the order in which they are tried.
 std::span<const OffscreenWay> offscreen_ways();
+/// Where OpenGL draws only into windows: one that is never shown comes first.
+std::span<const OffscreenWay> hidden_window_ways();
 
 }  // namespace normalscope

@@ -25,8 +25,7 @@ const char* remedy(Missing what) {
         case Missing::Egl: return "install libegl1 with libgl1-mesa-dri";
         case Missing::OpenGl:
             return "OpenGL 3.3 is needed, which remote desktops and virtual machines may lack: install the graphics "
-                   "card's "
-                   "driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw without one";
+                   "card's driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw without one";
         case Missing::Ffmpeg: return "install the package ffmpeg";
     }
     return "";

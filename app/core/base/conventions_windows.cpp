@@ -26,8 +26,7 @@ const char* remedy(Missing what) {
         case Missing::Egl: return "Windows has none; leave --context out";
         case Missing::OpenGl:
             return "OpenGL 3.3 is needed, which remote desktops and virtual machines may lack: install the graphics "
-                   "card's driver, or put Mesa's opengl32.dll beside "
-                   "normalscope.exe";
+                   "card's driver, or put Mesa's opengl32.dll beside normalscope.exe";
         case Missing::Ffmpeg: return "put ffmpeg.exe into a folder of PATH";
     }
     return "";

@@ -98,7 +98,8 @@ void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& me
         for (std::size_t i = 0; i < tabs.size(); ++i) row.tabs.push_back(i);
         tab_row(look, tabs, memory, row);
         ImGui::SameLine(width - close - look.px(8));
-        closed = icon_button(look, "##close", {.icon = Icon::Close, .about = "Close, and give the picture the room."});
+        closed = icon_button(look, "##close",
+                             {.icon = Icon::Close, .about = "Close this, and leave the room to the picture."});
     }
 
     const std::size_t open = *memory.open;

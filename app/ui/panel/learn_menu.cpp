@@ -70,10 +70,10 @@ void writing(const Scene& scene, const PanelContext& context) {
     }
     if (status.in_lesson) {
         if (row(look, "Change this lesson", "", false)) context.requests.writing = Writing::ThisLesson;
-        tip(look, "Its words, and its steps. A built-in one stays as it is: yours is saved by another name.");
+        tip(look, "Edit its words and its steps. A built-in lesson stays as it is; yours is saved under another name.");
     }
     if (row(look, "Write a lesson", "", false)) context.requests.writing = Writing::New;
-    tip(look, "It begins with what you see: add views as steps, and words to each.");
+    tip(look, "It begins with what you see. Add views as steps, and write words for each.");
 }
 
 }  // namespace
