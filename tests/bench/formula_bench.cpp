@@ -7,8 +7,6 @@
 #include "core/lessons/open.h"
 #include "core/picture/make_frame.h"
 #include "core/surface/surface.h"
-#include "gl/renderer.h"
-#include "gl/target.h"
 #include "measure.h"
 #include "platform/offscreen_context.h"
 
@@ -35,15 +33,12 @@ public:
             make_frame(scene, surfaces_.get(scene), {.rect = gui_.interface().picture(kSize), .quality = quality});
         Scene shown = scene;
         gui_.layout(scene.theme, 1.0f, [&] { gui_.interface().draw(shown, frame, {}); });
-        renderer_.draw(frame, quality == Quality::Fine ? target_ : rough_target_);
-        gui_.draw();
+        gui_.draw({.frame = frame, .rough = quality != Quality::Fine, .timed = true});
         glFinish();
         return watch.milliseconds();
     }
 
 private:
-    Target target_{kSize, 4}, rough_target_{kSize, 1};
-    Renderer renderer_;
     BenchGui gui_{kSize};
     SurfaceCache surfaces_;
 };
