@@ -2,9 +2,9 @@
 
 #include "cli/declare.h"
 #include "cli/help.h"
-#include "cli/nearest.h"
 #include "cli/values.h"
 #include "core/base/error.h"
+#include "core/base/nearest.h"
 #include "core/base/text.h"
 
 #include <CLI/CLI.hpp>

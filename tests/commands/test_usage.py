@@ -64,6 +64,13 @@ class UsageTest(CommandTest):
         self.assert_fails(2, "captrue", says=("did you mean capture?", "scenes", "compare"))
         self.assert_fails(2, "scene", says="did you mean scenes?")
 
+    def test_any_misspelt_name_is_guessed(self):
+        self.assert_fails(3, "capture", "shera", "-o", "x.png", says="did you mean shear?")
+        self.assert_fails(3, "capture", "gradients", "-o", "x.png", says="did you mean 2-gradients?")
+        self.assert_fails(3, "handout", "2-gradint", "-o", "x.html", says="did you mean 2-gradients?")
+        self.assert_fails(3, "capture", "sphere", "-o", "x.png", says="did you mean implicit-sphere?")
+        self.capture_fails("--set", "show.prboe=1", says="did you mean probe?")
+
     def test_options_before_their_command(self):
         self.assert_fails(2, "--set", "rule=naive", "capture", "-o", "x.png", says="after the command")
         self.assert_fails(2, "split", "capture", "-o", "x.png", says="after the command")

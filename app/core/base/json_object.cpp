@@ -1,5 +1,6 @@
 #include "core/base/json_object.h"
 
+#include "core/base/nearest.h"
 #include "core/base/text.h"
 #include "core/base/utf8.h"
 
@@ -13,6 +14,12 @@ using Json = nlohmann::ordered_json;
 
 std::string shown(const Json& json, std::size_t most_bytes) {
     return shortened(json.dump(-1, ' ', false, Json::error_handler_t::replace), most_bytes);
+}
+
+void fail_key(const JsonPath& path, std::span<const std::string> known) {
+    const auto meant = nearest(path.back(), known);
+    throw JsonError(
+        path, "unknown key; " + (meant ? "did you mean " + *meant + "? Known here: " : "known here: ") + joined(known));
 }
 
 void fail_kind(const JsonPath& path, const std::string& expected, const Json& found) {
@@ -70,8 +77,7 @@ void JsonObject::read_format(std::string_view key) {
 
 void JsonObject::no_other_keys() const {
     for (const auto& [key, ignored] : json_.items())
-        if (std::ranges::count(known_, key) == 0)
-            throw JsonError(at(key), "unknown key; known here: " + joined(known_));
+        if (std::ranges::count(known_, key) == 0) fail_key(at(key), known_);
 }
 
 }  // namespace normalscope

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,8 @@ std::string shown(const nlohmann::ordered_json& json, std::size_t most_bytes = 4
 
 /// "expected a number, found …".
 [[noreturn]] void fail_kind(const JsonPath& path, const std::string& expected, const nlohmann::ordered_json& found);
+/// Of a path whose last key there is not; with the one of the known that was probably meant.
+[[noreturn]] void fail_key(const JsonPath& path, std::span<const std::string> known);
 
 void read_value(const nlohmann::ordered_json& json, const JsonPath& path, bool& value);
 void read_value(const nlohmann::ordered_json& json, const JsonPath& path, std::string& value);

@@ -1,5 +1,7 @@
 #include "core/formula/lexer.h"
 
+#include "core/base/nearest.h"
+#include "core/base/text.h"
 #include "core/formula/syntax_error.h"
 
 #include <algorithm>
@@ -35,22 +37,6 @@ std::vector<Name> make_names() {
 bool is_letter(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_'; }
 bool is_open(char c) { return c == '(' || c == '[' || c == '{'; }
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
-
-// Levenshtein's distance: letters to change, insert or leave out.
-std::size_t distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
-        }
-    }
-    return row[b.size()];
-}
 
 // The length of the character that begins with this byte of UTF-8; 0 if none does.
 std::size_t length_of(std::string_view rest) {
@@ -207,23 +193,12 @@ private:
     }
 
     [[noreturn]] void unknown(std::string_view word) const {
-        std::string lower(word.substr(0, 40));
-        std::ranges::transform(lower, lower.begin(),
-                               [](char c) { return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-        const Name* nearest = nullptr;
-        std::size_t least = 3;
-        std::string valid;
-        for (const Name& name : names_) {
-            const std::size_t d = distance(lower, name.text);
-            if (d < std::min(least, std::max(lower.size(), name.text.size()))) {
-                least = d;
-                nearest = &name;
-            }
-            valid += (valid.empty() ? "" : " ") + std::string(name.text);
-        }
+        std::vector<std::string> valid;
+        for (const Name& name : names_) valid.emplace_back(name.text);
+        const auto meant = nearest(in_small_letters(std::string(word)), valid);
         throw SyntaxError(column_, "unknown name \"" + std::string(word.substr(0, 40)) + (word.size() > 40 ? "…" : "") +
-                                       "\"" + (nearest ? ", did you mean " + std::string(nearest->text) + "?" : "") +
-                                       " Valid are: " + valid);
+                                       "\"" + (meant ? ", did you mean " + *meant + "?" : "") +
+                                       " Valid are: " + joined(valid, " "));
     }
 
     std::string_view rest_;

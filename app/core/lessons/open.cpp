@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/json_reading.h"
+#include "core/base/nearest.h"
 #include "core/base/overload.h"
 #include "core/base/text.h"
 #include "core/formula/parse.h"
@@ -47,10 +48,10 @@ std::string names_like(std::string_view wanted) {
     return gallery ? names : names + ", and others by \"normalscope scenes\"";
 }
 
-std::string lesson_names() {
+std::vector<std::string> lesson_names() {
     std::vector<std::string> names;
     for (const ListedLesson& lesson : built_in_lessons()) names.push_back(lesson.name);
-    return joined(names);
+    return names;
 }
 
 std::optional<std::string_view> scene_text_of(const std::string& name) {
@@ -64,8 +65,14 @@ std::optional<std::string_view> scene_text_of(const std::string& name) {
             name, "its ending tells nothing; a scene ends in .json, a mesh in " + mesh_endings_in_words(", ", " or "));
     if (is_formula(name))
         throw InputError(name, "no such file; a formula is given by --set 'surface.formula=" + name + "'");
+    const std::vector<std::string> lessons = lesson_names();
+    std::vector<std::string> names = lessons;
+    for (const BuiltInScene& scene : built_in_scenes()) names.push_back(scene.name);
+    if (const auto meant = nearest(name, names))
+        throw InputError(name, "no such file, scene or lesson; did you mean " + *meant +
+                                   "? The names are listed by \"normalscope scenes\" and \"normalscope lessons\"");
     throw InputError(
-        name, "no such file, nor a built-in scene (" + names_like(name) + ") or lesson (" + lesson_names() + ")");
+        name, "no such file, nor a built-in scene (" + names_like(name) + ") or lesson (" + joined(lessons) + ")");
 }
 
 // Whether the JSON is meant as a lesson; all else is left to whoever reads it in earnest.
@@ -144,8 +151,12 @@ Scene first_scene(const Contents& contents) {
 Scene load_scene(const std::string& name) { return first_scene(open_name(name)); }
 
 Lesson load_lesson(const std::string& name) {
-    if (!is_built_in_lesson(name) && ending_of(name) != ".json" && name != "-")
-        throw InputError(name, "no such lesson; there are " + lesson_names() + ", and files that end in .json");
+    if (!is_built_in_lesson(name) && ending_of(name) != ".json" && name != "-") {
+        const std::vector<std::string> names = lesson_names();
+        const auto meant = nearest(name, names);
+        throw InputError(name, "no such lesson; " + (meant ? "did you mean " + *meant + "? There are " : "there are ") +
+                                   joined(names) + ", and files that end in .json");
+    }
     const Contents contents = open_name(name);
     const auto* opened = std::get_if<OpenedLesson>(&contents);
     if (!opened) throw InputError(name, "is a scene, not a lesson, which has the keys lesson and steps");

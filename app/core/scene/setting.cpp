@@ -66,7 +66,7 @@ Json& member(Json& object, const JsonPath& path) {
         for (const auto& [k, v] : object.items()) known.push_back(k);
         if (known.empty()) known.assign(kinds.begin(), kinds.end());
         if (known.empty()) throw JsonError(path, "there is nothing below " + shown(object));
-        throw JsonError(path, "unknown key; known here: " + joined(known));
+        fail_key(path, known);
     }
     return object[key];
 }

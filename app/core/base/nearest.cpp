@@ -1,4 +1,4 @@
-#include "cli/nearest.h"
+#include "core/base/nearest.h"
 
 #include <algorithm>
 #include <numeric>
@@ -8,26 +8,29 @@ namespace normalscope {
 
 namespace {
 
-// Levenshtein's distance: letters to insert, drop or replace. One row of the table at a time.
+// Letters to insert, drop or replace, or neighbours to exchange: the optimal string alignment distance. A row of its table
+// follows from the two before it.
 std::size_t edits(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
+    std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
+    std::iota(last.begin(), last.end(), std::size_t{0});
     for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
         row[0] = i + 1;
         for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+            row[j + 1] = std::min({last[j] + (a[i] == b[j] ? 0 : 1), row[j] + 1, last[j + 1] + 1});
+            if (i > 0 && j > 0 && a[i] == b[j - 1] && a[i - 1] == b[j])
+                row[j + 1] = std::min(row[j + 1], before[j - 1] + 1);
         }
+        before.swap(last);
+        last.swap(row);
     }
-    return row.back();
+    return last.back();
 }
 
 }  // namespace
 
 std::optional<std::string> nearest(std::string_view word, std::span<const std::string> names) {
     constexpr std::size_t kLongest = 40;  // nobody misspells longer ones, and the table grows with the square
+    constexpr std::size_t kShortestPart = 4;
     if (word.size() > kLongest) return std::nullopt;
     std::optional<std::string> best;
     std::size_t fewest = std::max<std::size_t>(1, word.size() / 3) + 1;
@@ -36,6 +39,9 @@ std::optional<std::string> nearest(std::string_view word, std::span<const std::s
             fewest = n;
             best = name;
         }
+    if (best || word.size() < kShortestPart) return best;
+    for (const std::string& name : names)
+        if (name.find(word) != name.npos && (!best || name.size() < best->size())) best = name;
     return best;
 }
 
