@@ -61,7 +61,7 @@ constexpr Line kLesson[]{
     {"Page_Down →", "next step"},
     {"Page_Up ←", "previous step"},
     {"Home End", "the step again; the last step"},
-    {"1 2 3 4", "answer a question"},
+    {"A B C D", "answer a question (1 2 3 4, too)"},
     {"B W M", "presenting: black, white, next monitor"},
 };
 

@@ -34,4 +34,15 @@ std::optional<LectureKey> lecture_key(ImGuiKey key) {
     }
 }
 
+std::optional<LectureKey> lecture_key_while_asking(ImGuiKey key) {
+    switch (key) {
+        case ImGuiKey_A: return LectureKey::First;
+        case ImGuiKey_B: return LectureKey::Second;
+        case ImGuiKey_C: return LectureKey::Third;
+        case ImGuiKey_D: return LectureKey::Fourth;
+        case ImGuiKey_E: return LectureKey::Fifth;
+        default: return lecture_key(key);
+    }
+}
+
 }  // namespace normalscope

@@ -45,7 +45,7 @@ void Viewer::type(char32_t letter) {
 bool Viewer::to_lecture(const KeyPress& key) {
     // Whatever is pressed, people see the picture again.
     if (!key.repeated && key.key != ImGuiKey_F5 && key.key != ImGuiKey_F11 && lecture().end_blank()) return true;
-    const auto meant = lecture_key(key.key);
+    const auto meant = lecture().asking() ? lecture_key_while_asking(key.key) : lecture_key(key.key);
     if (!meant || key.control() || key.alt() || pointer_.busy() || !gui_.interface.keys_are_free()) return false;
     // A key that is held turns an exercise's arrow on and on; it does not run through a lesson and into the next one.
     if (key.repeated && !exercising()) return true;

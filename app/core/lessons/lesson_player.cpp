@@ -1,6 +1,7 @@
 #include "core/lessons/lesson_player.h"
 
 #include "core/base/error.h"
+#include "core/lessons/reading_time.h"
 #include "core/scene/scene_blend.h"
 
 #include <algorithm>
@@ -76,6 +77,10 @@ bool LessonPlayer::strayed(const Scene& scene) const { return running() && !movi
 
 void LessonPlayer::choose(std::size_t choice) {
     if (running() && step().question && choice < step().question->choices.size()) answers_[step_] = choice;
+}
+
+void LessonPlayer::reveal() {
+    if (running() && asking()) choose(right_choice(*step().question));
 }
 
 }  // namespace normalscope

@@ -54,6 +54,10 @@ public:
     /// The choice that was made last for this step's question.
     std::optional<std::size_t> answer() const { return answers_[step_]; }
     void choose(std::size_t choice);
+    /// This step has a question, and nothing has been chosen yet.
+    bool asking() const { return step().question && !answer(); }
+    /// Chooses what is right, where nobody has chosen.
+    void reveal();
 
 private:
     struct Way {

@@ -26,7 +26,7 @@ private:
     ImVec2 at_;
 };
 
-// A choice as a button with its number, which is also its key.
+// A choice as a button with its letter, which is also its key.
 bool choice_button(const Look& look, const Choice& choice, std::size_t i, bool chosen, ImVec2 at, ImVec2 size) {
     ImGui::SetCursorScreenPos(at);
     const ImVec4 mark = !chosen ? look.dim : choice.right ? look.good : look.bad;
@@ -34,12 +34,13 @@ bool choice_button(const Look& look, const Choice& choice, std::size_t i, bool c
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (chosen)
         list.AddRect(at, {at.x + size.x, at.y + size.y}, packed(mark), ImGui::GetStyle().FrameRounding, 0, look.px(2));
-    const std::string number = std::to_string(i + 1);
-    list.AddText(look.fonts.strong, look.fonts.strong->FontSize,
-                 {at.x + look.px(11), std::round(at.y + (size.y - look.fonts.strong->FontSize) / 2)}, packed(mark),
-                 number.c_str());
     const MathBox box = choice_box(look, choice, size.x);
-    draw_math(list, look, box, {at.x + look.px(30), std::round(at.y + (size.y - box.height()) / 2 + box.ascent)});
+    const float baseline = std::round(at.y + (size.y - box.height()) / 2 + box.ascent);
+    const std::string letter(1, static_cast<char>('A' + i));
+    const ImFont& strong = *look.fonts.strong;
+    list.AddText(&strong, strong.FontSize, {at.x + look.px(11), std::round(baseline - strong.Ascent)}, packed(mark),
+                 letter.c_str());
+    draw_math(list, look, box, {at.x + look.px(30), baseline});
     return pressed;
 }
 
@@ -101,11 +102,10 @@ float draw_ways(const Look& look, const StripState& state, float right, StripReq
     if (state.recorded) return tell_where(x - wide - look.px(kStripPad - 10));
     x -= side + look.px(6);
     ImGui::SetCursorPos({x, look.px(4)});
-    const bool more = state.number + 1 < state.count;
     if (icon_button(look, "##next",
                     {.icon = Icon::Right,
-                     .about = more ? "Next step (Page Down, right arrow)" : "Next lesson (Page Down, right arrow)",
-                     .enabled = more || state.goes_on}))
+                     .about = state.next ? state.next : "This is the last step.",
+                     .enabled = state.next != nullptr}))
         requests.next = true;
     x = tell_where(x - wide - look.px(4));
     x -= side + look.px(4);

@@ -22,7 +22,7 @@ struct StripState {
     std::optional<std::size_t> answer;  ///< the choice made last
     bool strayed = false;               ///< the scene is no longer the step's
     bool closes = false;                ///< it can be left
-    bool goes_on = false;               ///< after the last step, too
+    const char* next = nullptr;         ///< what its button does; none: nothing
     std::vector<StripAction> actions;
     bool recorded = false;  ///< a picture of it is made: there is nothing to press
 };

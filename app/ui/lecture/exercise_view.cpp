@@ -1,5 +1,7 @@
 #include "ui/lecture/exercise_view.h"
 
+#include "core/lessons/reading_time.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -104,6 +106,13 @@ void Exercises::choose(std::size_t choice, Scene& scene) {
         show(scene, revealed(exercise_));
     }
     answer_ = choice;
+}
+
+void Exercises::go_on(Scene& scene) {
+    if (answered()) return next(scene);
+    if (!asking()) return check(scene);
+    choose(right_choice(*exercise_.question), scene);
+    points_ -= kMostPoints;
 }
 
 Speech Exercises::speech() const {

@@ -35,12 +35,17 @@ public:
     void turn(const Frame& frame, double right, double up);
     const Vector<World>& arrow() const { return arrow_.direction; }
 
+    /// One of some choices is to be made.
+    bool asking() const { return running_ && exercise_.question && !answered(); }
     bool answered() const { return judgement_.has_value() || answer_.has_value(); }
     /// An arrow that nobody has moved is judged only when asked a second time: it may be the answer, or a slip of the key.
     void check(Scene& scene);
     void hint();
     void next(Scene& scene);
     void choose(std::size_t choice, Scene& scene);
+    /// What is asked is answered: by the arrow as it is, or, of choices, by the right one, which nobody has guessed then.
+    /// What has been answered is left for the next exercise.
+    void go_on(Scene& scene);
 
     Speech speech() const;
     /// What may be said in this exercise, the present first: the strip holds any of them.

@@ -94,13 +94,25 @@ bool Lecture::press_in_lesson(LectureKey key, const Scene& scene) {
 }
 
 bool Lecture::go_on(const Scene& scene) {
-    if (announced_ == Announced::Previous)
+    if (announced_ == Announced::Previous) {
         announced_ = Announced::Nothing;  // back to the first step
-    else if (player.has_next())
+        return true;
+    }
+    if (player.asking()) {  // a remote control has no letters
+        player.reveal();
+        if (!player.asking()) return true;
+    }
+    if (player.has_next())
         go_to(player.number() + 1, scene);
     else if (const auto next = next_lesson(); next && std::exchange(announced_, Announced::Next) == Announced::Next)
         wanted_lesson_ = next->name;
     return true;
+}
+
+const char* Lecture::next_does() const {
+    if (player.asking()) return "The answer (Page Down, right arrow)";
+    if (player.has_next()) return "Next step (Page Down, right arrow)";
+    return next_lesson() ? "Next lesson (Page Down, right arrow)" : nullptr;
 }
 
 bool Lecture::go_back(const Scene& scene) {
@@ -134,13 +146,8 @@ bool Lecture::press_in_exercise(LectureKey key, Scene& scene, const Frame* frame
         case LectureKey::Left: return turn(-kDegrees, 0.0);
         case LectureKey::Up: return turn(0.0, kDegrees);
         case LectureKey::Down: return turn(0.0, -kDegrees);
-        case LectureKey::Next: exercises.next(scene); return true;
-        case LectureKey::Enter:
-            if (exercises.answered())
-                exercises.next(scene);
-            else
-                exercises.check(scene);
-            return true;
+        case LectureKey::Next:
+        case LectureKey::Enter: exercises.go_on(scene); return true;
         case LectureKey::Hint: exercises.hint(); return true;
         default:
             if (key < LectureKey::First || !exercises.speech().question) return false;
@@ -206,7 +213,6 @@ void Lecture::draw(const Look& look, Scene& scene, const PixelRect& room, const 
         return;
     }
     StripState state;
-    const auto next = player.running() && !recorded && !player.has_next() ? next_lesson() : std::nullopt;
     if (player.running())
         state = {player.lesson().title,
                  player.number(),
@@ -214,7 +220,7 @@ void Lecture::draw(const Look& look, Scene& scene, const PixelRect& room, const 
                  player.answer(),
                  player.strayed(scene) && !recorded,
                  !recorded,
-                 next.has_value(),
+                 recorded ? nullptr : next_does(),
                  {},
                  recorded};
     Speech speech = player.running() ? all[player.number()] : all.front();

@@ -56,8 +56,8 @@ public:
     /// The lesson that is gone on to, once after it has been asked for.
     std::optional<std::string> wanted_lesson() { return std::exchange(wanted_lesson_, std::nullopt); }
 
-    /// A step's question waits for its answer.
-    bool asking() const { return player.running() && player.step().question && !player.answer(); }
+    /// A question waits for its answer.
+    bool asking() const { return exercises.asking() || (player.running() && player.asking()); }
     /// There are words below the picture.
     bool talks() const { return player.running() || exercises.running() || presenting; }
     /// It wants to be drawn again at once.
@@ -70,6 +70,7 @@ private:
     bool press_in_exercise(LectureKey key, Scene& scene, const Frame* frame);
     bool go_on(const Scene& scene);
     bool go_back(const Scene& scene);
+    const char* next_does() const;  ///< in words; none: nothing
     /// The lesson on the shelf after the one that is gone through, or before it, if there is one.
     std::optional<ListedLesson> next_lesson() const { return neighbour(+1); }
     std::optional<ListedLesson> previous_lesson() const { return neighbour(-1); }
