@@ -1,6 +1,7 @@
 // A lesson is written in the window.
 
 #include "core/base/file.h"
+#include "core/lessons/lesson_limits.h"
 #include "viewer/hosted.h"
 
 namespace normalscope {
@@ -13,6 +14,12 @@ protected:
     void learn(const char* row) {
         click(Item("##panel/##always") / "Learn");
         click(Item("##Popup") / row);
+    }
+    void write_into(const Item& field, std::string_view words) {
+        click(field);
+        keys({ImGuiMod_Ctrl | ImGuiKey_A, ImGuiKey_Delete});
+        type(words);
+        click(ground());
     }
     void press_in_editor(const char* button) { click(Item("##writing") / button); }
     static bool editor_is_shown() {
@@ -47,10 +54,7 @@ TEST_F(WritingLessonsTest, ALessonIsWrittenFromViews) {
     key(ImGuiKey_PageUp);
     EXPECT_EQ(scene(), first);
 
-    click(Item("##writing") / "##Title");
-    key(ImGuiMod_Ctrl | ImGuiKey_A);
-    type("Mine");
-    click(ground());
+    write_into(Item("##writing/##fields") / "##Title", "Mine");
     EXPECT_EQ(lesson().title, "Mine");
 
     answer_dialog(ImGuiKey_S, own());
@@ -117,6 +121,47 @@ TEST_F(WritingLessonsTest, StepsChangePlacesAndGoAndAllIsUndone) {
     EXPECT_FALSE(editor_is_shown());
     EXPECT_EQ(named(), "5-composite-of-inverses");
     EXPECT_TRUE(lecture().player.running());
+}
+
+TEST_F(WritingLessonsTest, AStepsQuestionAndNotesAreWritten) {
+    host_.size.y = 1100;  // all fields are seen at once
+    start();
+    learn("Write a lesson");
+    const Item editor("##writing/##fields");
+    const auto question = [&] { return lesson().steps[0].question; };
+    EXPECT_FALSE(question());
+    click(editor / "Question and notes" / "##section");
+    write_into(editor / "##ask", "Where to?");
+    write_into(editor / 0 / "##answer", "up");
+    write_into(editor / 1 / "##answer", "down");
+    write_into(editor / 1 / "##because", "Down it is.");
+    click(editor / 1 / "##right");
+    write_into(editor / 2 / "##answer", "c");
+    write_into(editor / "##notes", "Ask first.");
+    const Question asked{"Where to?", {{"up", false, ""}, {"down", true, "Down it is."}, {"c", false, ""}}};
+    EXPECT_EQ(question(), asked);
+    EXPECT_EQ(lesson().steps[0].notes, "Ask first.");
+    EXPECT_TRUE(lecture().asking());
+    key(ImGuiKey_C);
+    EXPECT_EQ(lecture().player.answer(), 2u);
+    write_into(editor / 2 / "##answer", "");  // is no answer any more, also where it has been given
+    ASSERT_TRUE(question());
+    EXPECT_EQ(question()->choices.size(), 2u);
+    EXPECT_FALSE(lecture().player.answer());
+    undo();
+    EXPECT_EQ(question(), asked);
+    answer_dialog(ImGuiKey_S, own());
+    EXPECT_EQ(load_lesson(own()).steps[0].question, asked);
+    EXPECT_EQ(load_lesson(own()).steps[0].notes, "Ask first.");
+    for (int i = 0; i < 7; ++i) undo();  // all of it, field by field
+    EXPECT_FALSE(question());
+}
+
+TEST_F(WritingLessonsTest, NoMoreIsTypedThanALessonHolds) {
+    start();
+    learn("Write a lesson");
+    write_into(Item("##writing/##fields") / "##Title", std::string(1000, 'a'));
+    EXPECT_EQ(lesson().title, std::string(kLongestNote, 'a'));
 }
 
 TEST_F(WritingLessonsTest, NothingIsLostUnasked) {

@@ -5,6 +5,7 @@
 #include "core/base/json_reading.h"
 #include "core/base/text.h"
 #include "core/base/utf8.h"
+#include "core/lessons/lesson_limits.h"
 #include "core/lessons/tabs.h"
 #include "core/scene/scene_patch.h"
 
@@ -19,10 +20,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kLessonFolder = "assets/lessons/";
-// Beyond these, words would leave no room for the picture.
-constexpr std::size_t kLongestCaption = 400, kLongestNote = 240, kLongestChoice = 90, kMostEquations = 3,
-                      kMostChoices = 5, kLongestLabel = 40, kMostLabels = 4;
-constexpr std::size_t kLongestNotes = 4000;  // which no picture shows
 
 std::string words(const Json& json, const JsonPath& path, std::size_t most) {
     if (!json.is_string() || json.get_ref<const std::string&>().empty())
@@ -115,7 +112,7 @@ Choice read_choice(const Json& json, const JsonPath& path) {
     JsonObject object(json, path, "an object with the keys text, right and because");
     Choice choice{.text = needed_words(object, "text", kLongestChoice), .because = {}};
     object.read("right", choice.right);
-    choice.because = needed_words(object, "because", kLongestNote);
+    choice.because = words_if_any(object, "because", kLongestNote);
     object.no_other_keys();
     return choice;
 }

@@ -19,7 +19,7 @@ namespace normalscope {
 struct Choice {
     std::string text;
     bool right = false;
-    std::string because;  ///< what is said when it is chosen
+    std::string because;  ///< what is said when it is chosen; may be empty
     friend bool operator==(const Choice&, const Choice&) = default;
 };
 /// A short question, of whose choices exactly one is right.

@@ -39,6 +39,10 @@ void LessonPlayer::start(std::shared_ptr<const Lesson> lesson, std::size_t step,
 void LessonPlayer::replace(std::shared_ptr<const Lesson> lesson, std::size_t step) {
     lesson_ = std::move(lesson);
     answers_.resize(lesson_->steps.size());
+    for (std::size_t i = 0; i < answers_.size(); ++i) {
+        const std::optional<Question>& question = lesson_->steps[i].question;
+        if (answers_[i] && (!question || *answers_[i] >= question->choices.size())) answers_[i].reset();
+    }
     step_ = std::min(step, lesson_->steps.size() - 1);
     way_.reset();
 }

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace normalscope {
@@ -30,6 +31,33 @@ void put(Json& step, const char* key, const std::string& words) {
         step[key] = words;
 }
 
+// Every question can be asked, in a file.
+Question whole(Question question) {
+    const auto say = [](std::string& words, const char* at_least) {
+        if (words.empty()) words = at_least;
+    };
+    say(question.text, "?");
+    question.choices.resize(std::max<std::size_t>(question.choices.size(), 2));
+    for (Choice& choice : question.choices) say(choice.text, "…");
+    if (std::ranges::none_of(question.choices, &Choice::right)) question.choices.front().right = true;
+    return question;
+}
+
+void put(Json& step, const std::optional<Question>& question) {
+    if (!question) {
+        step.erase("question");
+        return;
+    }
+    const Question asked = whole(*question);
+    Json choices = Json::array();
+    for (const Choice& choice : asked.choices) {
+        Json& json = choices.emplace_back(Json{{"text", choice.text}});
+        if (choice.right) json["right"] = true;
+        put(json, "because", choice.because);
+    }
+    step["question"] = Json{{"ask", asked.text}, {"choices", std::move(choices)}};
+}
+
 Json step_json(const LessonStep& step, const Scene& before, const Scene& here) {
     Json json = step.source.empty() ? Json::object() : Json::parse(step.source);
     put(json, "caption", step.caption);
@@ -41,6 +69,8 @@ Json step_json(const LessonStep& step, const Scene& before, const Scene& here) {
     put(json, "look_at", step.look_at);
     json["equations"] = step.equations;
     if (step.equations.empty()) json.erase("equations");
+    put(json, "notes", step.notes);
+    put(json, step.question);
     return json;
 }
 

@@ -1,8 +1,8 @@
 #include "ui/lecture/lesson_editor.h"
 
+#include "core/lessons/lesson_limits.h"
 #include "ui/kit/widgets.h"
-
-#include <misc/cpp/imgui_stdlib.h>
+#include "ui/lecture/word_field.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,54 +11,14 @@ namespace normalscope {
 
 namespace {
 
-// Lines as wide as the field, which Dear ImGui does not break itself.
-std::string broken(const std::string& words, float width) {
-    std::string text, line;
-    for (std::size_t begin = 0; begin < words.size();) {
-        const std::size_t end = std::min(words.find(' ', begin), words.size());
-        const std::string word = words.substr(begin, end - begin);
-        const std::string longer = line.empty() ? word : line + " " + word;
-        if (!line.empty() && ImGui::CalcTextSize(longer.c_str()).x > width) {
-            text += line + "\n";
-            line = word;
-        } else {
-            line = longer;
-        }
-        begin = end + 1;
-    }
-    return text + line;
-}
-
-std::string in_a_row(std::string text) {
-    std::ranges::replace(text, '\n', ' ');
-    return text;
-}
-
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
-    for (std::size_t begin = 0; begin <= text.size();) {
+    for (std::size_t begin = 0; begin <= text.size() && lines.size() < kMostEquations;) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         if (end > begin) lines.push_back(text.substr(begin, end - begin));
         begin = end + 1;
     }
     return lines;
-}
-
-void name_of_field(const Look& look, const char* name) {
-    ImGui::PushFont(look.fonts.small);
-    dim_text(look, name);
-    ImGui::PopFont();
-}
-
-float width_of_lines(const Look& look) {
-    const ImGuiStyle& style = ImGui::GetStyle();
-    return look.px(kEditorWidth) - 2 * style.WindowPadding.x - 2 * style.FramePadding.x - style.ScrollbarSize;
-}
-
-bool field(const Look& look, const char* name, std::string& text, int lines) {
-    name_of_field(look, name);
-    const float height = static_cast<float>(lines) * ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().FramePadding.y;
-    return ImGui::InputTextMultiline((std::string("##") + name).c_str(), &text, {-1, height});
 }
 
 template <class Change>
@@ -71,38 +31,43 @@ void change(const Draft& draft, Requests& requests, Change&& how) {
 }  // namespace
 
 void LessonEditor::read(const EditedLesson& edited) {
-    if (shown_ == edited.draft || typing_) return;
+    const float width = width_of_lines();
+    if (typing_ || (shown_ == edited.draft && width_ == width)) return;
     shown_ = edited.draft;
+    width_ = width;
     const LessonStep& step = edited.draft.lesson->steps.at(edited.draft.step);
-    const float width = width_of_lines(edited.look);
     title_ = edited.draft.lesson->title;
     caption_ = broken(step.caption, width);
     look_at_ = broken(step.look_at, width);
     equations_.clear();
     for (const std::string& line : step.equations) equations_ += (equations_.empty() ? "" : "\n") + line;
+    question_.read(edited.look, step);
 }
 
 void LessonEditor::words(const EditedLesson& edited, Requests& requests) {
     const Look& look = edited.look;
     const Draft& draft = edited.draft;
     typing_ = false;
-    const auto changed = [&](bool now, auto&& how) {
-        typing_ |= ImGui::IsItemActive();
-        if (now) change(draft, requests, how);
-    };
-    name_of_field(look, "Title");
-    ImGui::SetNextItemWidth(-1);
-    changed(ImGui::InputText("##Title", &title_), [&](Lesson& l) { l.title = title_.empty() ? "My lesson" : title_; });
-    const auto end_lines = [&](std::string& text) {
-        if (ImGui::IsItemDeactivated()) text = broken(in_a_row(text), width_of_lines(look));
+    const auto changed = [&](const Typed& typed, auto&& how) {
+        typing_ |= typed.typing;
+        if (typed.changed) change(draft, requests, how);
     };
     const auto step = [&](Lesson& lesson) -> LessonStep& { return lesson.steps.at(draft.step); };
-    changed(field(look, "What is said", caption_, 4), [&](Lesson& l) { step(l).caption = in_a_row(caption_); });
-    end_lines(caption_);
-    changed(field(look, "What to look at", look_at_, 2), [&](Lesson& l) { step(l).look_at = in_a_row(look_at_); });
-    end_lines(look_at_);
-    changed(field(look, "Equations, a line each", equations_, 3),
-            [&](Lesson& l) { step(l).equations = lines_of(equations_); });
+    name_of_field(look, "Title");
+    changed(word_field({.id = "##Title", .most = kLongestNote}, title_),
+            [&](Lesson& l) { l.title = title_.empty() ? "My lesson" : title_; });
+    name_of_field(look, "What is said");
+    changed(word_field({.id = "##What is said", .lines = 4, .most = kLongestCaption}, caption_),
+            [&](Lesson& l) { step(l).caption = in_a_row(caption_); });
+    name_of_field(look, "What to look at");
+    changed(word_field({.id = "##What to look at", .lines = 2, .most = kLongestNote}, look_at_),
+            [&](Lesson& l) { step(l).look_at = in_a_row(look_at_); });
+    name_of_field(look, "Equations, a line each");
+    changed(
+        line_field({.id = "##Equations, a line each", .lines = 3, .most = kMostEquations * kLongestNote}, equations_),
+        [&](Lesson& l) { step(l).equations = lines_of(equations_); });
+    if (section(look, "Question and notes", false))
+        changed(question_.draw(look), [&](Lesson& l) { question_.write_to(step(l)); });
 }
 
 void LessonEditor::steps(const EditedLesson& edited, Requests& requests) const {
@@ -163,7 +128,10 @@ void LessonEditor::draw(const EditedLesson& edited, Requests& requests) {
         ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x - edited.side, 0});
     else
         ImGui::SetNextWindowPos({right - look.px(kEditorWidth) - margin, top + margin}, ImGuiCond_Appearing);
-    ImGui::SetNextWindowSize({beside ? edited.side : look.px(kEditorWidth), 0});
+    const float width = beside ? edited.side : look.px(kEditorWidth);
+    const float most = ImGui::GetIO().DisplaySize.y - (beside ? 0.0f : 2 * margin);
+    const float fields = std::max(std::min(fields_, most - buttons_), look.px(80));
+    ImGui::SetNextWindowSize({width, std::min(fields + buttons_, most)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, beside ? 0.0f : look.px(10));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(look.px(14), look.px(10)));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, beside ? 0.0f : 1.0f);
@@ -171,11 +139,16 @@ void LessonEditor::draw(const EditedLesson& edited, Requests& requests) {
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                      (beside ? ImGuiWindowFlags_NoMove : 0));
+    // Where the fields are more than the window holds, they scroll; the buttons stay.
+    ImGui::BeginChild("##fields", {0, fields}, 0, ImGuiWindowFlags_NavFlattened);
     read(edited);
     words(edited, requests);
+    fields_ = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
+    ImGui::EndChild();
     ImGui::Dummy({0, look.px(2)});
     steps(edited, requests);
     ending(edited, requests);
+    buttons_ = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y + ImGui::GetStyle().WindowPadding.y - fields;
     if (requests.edit && typing_) shown_ = *requests.edit;  // what is typed is not read back while it is
     ImGui::End();
     ImGui::PopStyleVar(3);

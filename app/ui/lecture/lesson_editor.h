@@ -4,6 +4,7 @@
 #include "core/lessons/writing.h"
 #include "ui/kit/requests.h"
 #include "ui/kit/style.h"
+#include "ui/lecture/question_fields.h"
 
 #include <string>
 
@@ -34,9 +35,12 @@ private:
     void steps(const EditedLesson& edited, Requests& requests) const;
     void ending(const EditedLesson& edited, Requests& requests) const;
 
-    Draft shown_;  ///< whose words the fields hold
+    Draft shown_;                              ///< whose words the fields hold
+    float width_ = 0.0f;                       ///< of their lines
+    float fields_ = 1000.0f, buttons_ = 0.0f;  ///< how high they were, of the window
     bool typing_ = false;
     std::string title_, caption_, look_at_, equations_;
+    QuestionFields question_;
 };
 
 }  // namespace normalscope

@@ -9,6 +9,7 @@ void want_letters_of(const Lesson& lesson, ExtraLetters& letters, const ImFont* 
         want(step.caption);
         want(step.look_at);
         want(step.to_try);
+        want(step.notes);
         for (const std::string& line : step.equations) want(line);
         if (!step.question) continue;
         want(step.question->text);

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace normalscope {
 namespace {
 
@@ -77,6 +79,43 @@ TEST_F(WritingTest, AMeshIsNamedFromTheLessonsFolder) {
     const LessonStep step = reread(lesson).steps[0];
     EXPECT_TRUE(std::filesystem::equivalent(std::get<MeshSurface>(step.scene.surface).mesh, file("t.obj")));
     EXPECT_EQ(step.caption, "Step 1");
+}
+
+TEST_F(WritingTest, AQuestionIsSavedAndNothingElseOfItsStepLost) {
+    const auto path = file("rich.json");
+    write_file(path, R"({"normalscope": 1, "lesson": "L", "steps": [{"caption": "a", "board": "wipe", "seconds": 7,
+        "highlight": "n_world", "label": {"text": "here", "at": [0, 1, 0]}, "path": {"power": [1, -1]}, "try": "Drag.",
+        "notes": "Ask first.", "numbers": {"rank": 3}}]})");
+    Lesson lesson = load_lesson(path.string());
+    lesson.steps[0].question = Question{"Which?", {{"one", false, "No."}, {"two", true, ""}}};
+    lesson.steps[0].notes = "Wait.";
+    const LessonStep step = reread(lesson).steps[0];
+    EXPECT_EQ(step.question, lesson.steps[0].question);
+    EXPECT_EQ(step.notes, "Wait.");
+    EXPECT_EQ(step.board, LessonStep::BoardIs::Wiped);
+    EXPECT_EQ(step.seconds, 7.0);
+    EXPECT_EQ(step.highlight, lesson.steps[0].highlight);
+    EXPECT_EQ(step.labels, lesson.steps[0].labels);
+    EXPECT_EQ(step.paths.size(), 1u);
+    EXPECT_EQ(step.to_try, "Drag.");
+    EXPECT_EQ(step.numbers, lesson.steps[0].numbers);
+    lesson.steps[0].question.reset();
+    lesson.steps[0].notes.clear();
+    EXPECT_EQ(reread(lesson).steps[0].question, std::nullopt);
+    EXPECT_EQ(reread(lesson).steps[0].notes, "");
+}
+
+// As a caption is: so that nothing that has been begun is lost.
+TEST_F(WritingTest, AQuestionThatIsHalfWrittenIsSavedToo) {
+    Lesson lesson = new_lesson({});
+    for (const Question& begun : {Question{"Which?", {}}, Question{"", {{"one", false, ""}}},
+                                  Question{"", {{"", false, "No."}, {"b", false, ""}, {"c", false, ""}}}}) {
+        lesson.steps[0].question = begun;
+        const std::optional<Question> read = reread(lesson).steps[0].question;
+        ASSERT_TRUE(read);
+        EXPECT_EQ(read->choices.size(), std::max<std::size_t>(begun.choices.size(), 2));
+        EXPECT_TRUE(read->choices[0].right);
+    }
 }
 
 TEST_F(WritingTest, NothingElseIsWrittenOver) {
