@@ -115,7 +115,7 @@ void QuizWriter::add_exercises(std::uint64_t seed) {
 }
 
 std::string quiz_of_lessons(const QuizCommand& command) {
-    const std::vector<Lesson> lessons = load_lessons(command.lesson);
+    const std::vector<Lesson> lessons = load_lessons(command.lesson, ", exercises:SEED");
     FilesOfRun files;
     std::size_t pictures = 0;
     for (const Lesson& lesson : lessons)

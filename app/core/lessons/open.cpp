@@ -150,12 +150,12 @@ Scene first_scene(const Contents& contents) {
 
 Scene load_scene(const std::string& name) { return first_scene(open_name(name)); }
 
-Lesson load_lesson(const std::string& name) {
+Lesson load_lesson(const std::string& name, std::string_view others) {
     if (!is_built_in_lesson(name) && ending_of(name) != ".json" && name != "-") {
         const std::vector<std::string> names = lesson_names();
         const auto meant = nearest(name, names);
         throw InputError(name, "no such lesson; " + (meant ? "did you mean " + *meant + "? There are " : "there are ") +
-                                   joined(names) + ", and files that end in .json");
+                                   joined(names) + std::string(others) + ", and files that end in .json");
     }
     const Contents contents = open_name(name);
     const auto* opened = std::get_if<OpenedLesson>(&contents);
@@ -163,8 +163,8 @@ Lesson load_lesson(const std::string& name) {
     return *opened->lesson;
 }
 
-std::vector<Lesson> load_lessons(const std::string& name) {
-    if (name != "all") return {load_lesson(name)};
+std::vector<Lesson> load_lessons(const std::string& name, std::string_view others) {
+    if (name != "all") return {load_lesson(name, ", all" + std::string(others))};
     std::vector<Lesson> lessons;
     for (const ListedLesson& each : built_in_lessons()) lessons.push_back(built_in_lesson(each.name));
     return lessons;

@@ -36,10 +36,10 @@ Scene first_scene(const Contents& contents);
 
 /// Both in one. Throws InputError.
 Scene load_scene(const std::string& name);
-/// Where nothing but a lesson will do. Throws InputError.
-Lesson load_lesson(const std::string& name);
+/// Where nothing but a lesson will do, or `others` (", all"), which an error names beside the lessons. Throws InputError.
+Lesson load_lesson(const std::string& name, std::string_view others = {});
 /// The same, and of "all" every built-in one.
-std::vector<Lesson> load_lessons(const std::string& name);
+std::vector<Lesson> load_lessons(const std::string& name, std::string_view others = {});
 
 /// The scene with a mesh file as its surface and all else kept.
 Scene with_mesh(Scene scene, const std::string& file);
