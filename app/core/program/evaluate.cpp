@@ -1,6 +1,9 @@
 #include "core/program/evaluate.h"
 
+#include "core/base/beside.h"
 #include "core/program/steps.h"
+
+#include <vector>
 
 namespace normalscope::formulas {
 
@@ -72,6 +75,21 @@ std::array<Interval, 3> intervals(const Box& box) {
     return {Interval{box.low.x, box.high.x}, Interval{box.low.y, box.high.y}, Interval{box.low.z, box.high.z}};
 }
 
+// work(begin, end) for parts of so many points, each in a thread of its own where that is worth one.
+template <class Work>
+void in_parts(const Program& program, std::size_t points, const Work& work) {
+    constexpr std::size_t kWorthAThread = 500'000;  // steps of points, some milliseconds
+    const std::size_t threads = threads_for(points * program.size(), kWorthAThread);
+    const auto begin_of = [&](std::size_t part) {
+        return part == threads ? points : points / kLanes * part / threads * kLanes;
+    };
+    std::vector<Beside<void>> others;
+    for (std::size_t part = 1; part < threads; ++part)
+        others.push_back(beside([&, part] { work(begin_of(part), begin_of(part + 1)); }));
+    work(0, begin_of(1));
+    for (Beside<void>& other : others) other.get();
+}
+
 // 1/0 is infinite in the middle of a computation; as a result it has no real value.
 double real_or_nan(double v) { return std::isfinite(v) ? v : real::kNaN; }
 
@@ -105,23 +123,27 @@ IntervalSample sample(const Program& program, const Box& box) {
 }
 
 void values(const Program& program, std::span<const glm::dvec3> points, std::span<double> values) {
-    std::vector<Lanes> scratch(program.size());
-    for (std::size_t begin = 0; begin < points.size(); begin += kLanes) {
-        forward<Lanes>(program, gathered(points, begin), scratch);
-        for (std::size_t k = 0; k < std::min(kLanes, points.size() - begin); ++k)
-            values[begin + k] = real_or_nan(scratch.back().v[k]);
-    }
+    in_parts(program, points.size(), [&](std::size_t begin, std::size_t end) {
+        std::vector<Lanes> scratch(program.size());
+        for (; begin < end; begin += kLanes) {
+            forward<Lanes>(program, gathered(points, begin), scratch);
+            for (std::size_t k = 0; k < std::min(kLanes, end - begin); ++k)
+                values[begin + k] = real_or_nan(scratch.back().v[k]);
+        }
+    });
 }
 
 void samples(const Program& program, std::span<const glm::dvec3> points, std::span<Sample> samples) {
-    std::vector<Lanes> scratch(2 * program.size());
-    const std::span<Lanes> v(scratch.data(), program.size()), d(scratch.data() + program.size(), program.size());
-    for (std::size_t begin = 0; begin < points.size(); begin += kLanes) {
-        forward<Lanes>(program, gathered(points, begin), v);
-        const std::array<Lanes, 3> g = reverse<Lanes>(program, v, d);
-        for (std::size_t k = 0; k < std::min(kLanes, points.size() - begin); ++k)
-            samples[begin + k] = {real_or_nan(v.back().v[k]), {g[0].v[k], g[1].v[k], g[2].v[k]}};
-    }
+    in_parts(program, points.size(), [&](std::size_t begin, std::size_t end) {
+        std::vector<Lanes> scratch(2 * program.size());
+        const std::span<Lanes> v(scratch.data(), program.size()), d(scratch.data() + program.size(), program.size());
+        for (; begin < end; begin += kLanes) {
+            forward<Lanes>(program, gathered(points, begin), v);
+            const std::array<Lanes, 3> g = reverse<Lanes>(program, v, d);
+            for (std::size_t k = 0; k < std::min(kLanes, end - begin); ++k)
+                samples[begin + k] = {real_or_nan(v.back().v[k]), {g[0].v[k], g[1].v[k], g[2].v[k]}};
+        }
+    });
 }
 
 }  // namespace normalscope::formulas

@@ -5,6 +5,7 @@
 #include "core/program/zero_crossing.h"
 #include "core/surface/box_cut.h"
 #include "core/surface/implicit_surface.h"
+#include "core/surface/newton_steps.h"
 #include "core/surface/ray_mesh.h"
 
 #include <glm/common.hpp>
@@ -148,21 +149,11 @@ void SurfaceNet::add_vertices() {
     });
 }
 
-// Newton's steps along the gradient, for all vertices side by side.
 void SurfaceNet::descend() {
     const std::vector<glm::dvec3> start = positions_;
-    std::vector<formulas::Sample> samples(positions_.size());
-    for (int i = 0; i < kNewtonSteps; ++i) {
-        formulas::samples(surface_.program(), positions_, samples);
-        for (std::size_t v = 0; v < positions_.size(); ++v) {
-            const glm::dvec3& g = samples[v].gradient;
-            const glm::dvec3 move = samples[v].value / glm::dot(g, g) * g;
-            const glm::dvec3 next = positions_[v] - move;
-            // What would leave its cell is near a double point or a pole.
-            if (glm::length(next - start[v]) <= 1.2 * largest_step_) positions_[v] = next;
-        }
-    }
-    formulas::samples(surface_.program(), positions_, samples);
+    // What would leave its cell is near a double point or a pole.
+    std::vector<formulas::Sample> samples =
+        newton_steps(surface_.program(), positions_, kNewtonSteps, 1.2 * largest_step_);
     lost_.resize(positions_.size());
     gradients_.resize(positions_.size());
     for (std::size_t v = 0; v < positions_.size(); ++v) {

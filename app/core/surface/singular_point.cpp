@@ -14,6 +14,8 @@
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace normalscope {
 
@@ -25,6 +27,7 @@ constexpr double kAround = 0.02;
 constexpr double kVanished = 1e-6;  ///< against |∇f| at that distance
 constexpr double kOneSheet = 0.05;  ///< against the largest singular value: how far from one sheet it may be
 constexpr int kMeridians = 144, kParallels = 72;
+constexpr int kHalvings = 50;  // of an edge between them
 
 bool finite(const glm::dvec3& v) { return std::isfinite(glm::dot(v, v)); }
 
@@ -43,6 +46,7 @@ public:
                 if (j > 0) add_triangle(a, b, c);
                 if (j + 1 < kParallels) add_triangle(a, c, d);
             }
+        halve();
         link();
     }
 
@@ -80,8 +84,14 @@ private:
         return static_cast<std::uint32_t>(2 + (j - 1) * kMeridians + i % kMeridians);
     }
 
-    double value(const glm::dvec3& direction) const {
-        return formulas::value(surface_.program(), centre_ + radius_ * direction);
+    // f in these directions, side by side.
+    std::vector<double> values_in(const std::vector<glm::dvec3>& directions) const {
+        std::vector<glm::dvec3> points;
+        points.reserve(directions.size());
+        for (const glm::dvec3& d : directions) points.push_back(centre_ + radius_ * d);
+        std::vector<double> values(points.size());
+        formulas::values(surface_.program(), points, values);
+        return values;
     }
 
     void evaluate() {
@@ -94,27 +104,34 @@ private:
                 const double a = glm::two_pi<double>() * i / kMeridians, e = glm::pi<double>() * j / kParallels;
                 directions_.push_back(std::cos(e) * up + std::sin(e) * (std::cos(a) * u + std::sin(a) * v));
             }
-        std::vector<glm::dvec3> points;
-        for (const glm::dvec3& d : directions_) points.push_back(centre_ + radius_ * d);
-        values_.resize(points.size());
-        formulas::values(surface_.program(), points, values_);
+        values_ = values_in(directions_);
     }
 
-    // Where the curve crosses an edge of the sphere's net, whose ends have different signs.
+    // Where the curve crosses an edge of the sphere's net, whose ends have different signs; where along it, halve() says.
     std::uint32_t crossing(std::uint32_t a, std::uint32_t b) {
         if (a > b) std::swap(a, b);
         const auto [it, is_new] =
-            known_.try_emplace(std::uint64_t{a} << 32 | b, static_cast<std::uint32_t>(crossings_.size()));
+            known_.try_emplace(std::uint64_t{a} << 32 | b, static_cast<std::uint32_t>(crossed_.size()));
         if (!is_new) return it->second;
-        glm::dvec3 from = directions_[a], to = directions_[b];
-        const bool negative = values_[a] < 0.0;
-        for (int k = 0; k < 50; ++k) {
-            const glm::dvec3 middle = glm::normalize(from + to);
-            ((value(middle) < 0.0) == negative ? from : to) = middle;
-        }
-        crossings_.push_back(glm::normalize(from + to));
+        crossed_.push_back({a, b});
         neighbours_.push_back({});
         return it->second;
+    }
+
+    // All edges that are crossed at once.
+    void halve() {
+        std::vector<glm::dvec3> from, to, middles(crossed_.size());
+        for (const auto& [a, b] : crossed_) {
+            from.push_back(directions_[a]);
+            to.push_back(directions_[b]);
+        }
+        for (int i = 0; i < kHalvings; ++i) {
+            for (std::size_t k = 0; k < crossed_.size(); ++k) middles[k] = glm::normalize(from[k] + to[k]);
+            const std::vector<double> values = values_in(middles);
+            for (std::size_t k = 0; k < crossed_.size(); ++k)
+                ((values[k] < 0.0) == (values_[crossed_[k].first] < 0.0) ? from : to)[k] = middles[k];
+        }
+        for (std::size_t k = 0; k < crossed_.size(); ++k) crossings_.push_back(glm::normalize(from[k] + to[k]));
     }
 
     void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -153,6 +170,7 @@ private:
     std::vector<glm::dvec3> directions_;
     std::vector<double> values_;
     std::unordered_map<std::uint64_t, std::uint32_t> known_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> crossed_;  // the ends of the edges that are crossed
     std::vector<glm::dvec3> crossings_;
     std::vector<std::vector<std::uint32_t>> neighbours_;
     std::vector<std::vector<std::uint32_t>> chains_;

@@ -1,0 +1,45 @@
+#include "core/surface/newton_steps.h"
+
+#include <glm/geometric.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+
+namespace normalscope {
+
+// Most points come to rest within a few steps, or go to and fro between two places, as rounding makes them do: those are done.
+std::vector<formulas::Sample> newton_steps(const formulas::Program& program, std::vector<glm::dvec3>& points, int most,
+                                           double reach) {
+    const std::vector<glm::dvec3> start = points;
+    std::vector<formulas::Sample> samples(points.size()), there;  // there: at the moving ones
+    std::vector<std::uint32_t> moving(points.size());
+    std::iota(moving.begin(), moving.end(), 0u);
+    std::vector<glm::dvec3> at = points, before = points;
+    for (int left = most; left >= 0 && !moving.empty(); --left) {
+        there.resize(moving.size());
+        formulas::samples(program, at, there);
+        std::size_t still_moving = 0;
+        for (std::size_t k = 0; k < moving.size(); ++k) {
+            const std::uint32_t p = moving[k];
+            const glm::dvec3 here = at[k], last = before[k], &g = there[k].gradient;
+            const glm::dvec3 next = here - there[k].value / glm::dot(g, g) * g;
+            const bool to_and_fro = left < most && next == last;
+            if (to_and_fro && left % 2 == 1) {
+                points[p] = last;  // where it would end; f is known there
+                continue;
+            }
+            points[p] = here;
+            samples[p] = there[k];
+            if (left == 0 || to_and_fro || next == here || !(glm::length(next - start[p]) <= reach)) continue;
+            moving[still_moving] = p;
+            before[still_moving] = here;
+            at[still_moving++] = next;
+        }
+        moving.resize(still_moving);
+        at.resize(still_moving);
+    }
+    return samples;
+}
+
+}  // namespace normalscope
