@@ -57,12 +57,17 @@ void main() {
         if (dot(u, u) < 1e-11 * dot(to_eye, to_eye)) u = cross(abs(axis.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0), axis);
         u = normalize(u);
         vec3 v = cross(axis, u);
+        float y = position.y;
+#ifdef LIT_AT_VERTICES
+        // One triangle in place of a cone leans so that its base and its tip lie apart, seen from behind as from in front.
+        if (own_color.g > 0.5 && dot(to_eye, axis) < 0.0) y = -y;
+#endif
         // 0 base, 1 neck, 2 tip
         float neck = arrow_length - head_length;
         float along = position.z <= 1.0 ? position.z * neck : position.z < 2.0 ? neck + (position.z - 1.0) * head_length : arrow_length;
         // Normals that are left as long as they come out show it.
         if (unit_at_vertices != 1.0 && unit_at_pixels < 0.5) along *= min(size, 3.0);
-        vec3 offset = along * axis + shaft_radius * (position.x * u + position.y * v);
+        vec3 offset = along * axis + shaft_radius * (position.x * u + y * v);
         world.xyz += size > 0.0 ? offset : vec3(0.0);  // no direction, no arrow
         direction = normal.x * u + normal.y * v + normal.z * axis;
     }

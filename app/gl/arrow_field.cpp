@@ -14,7 +14,8 @@ namespace normalscope {
 
 namespace {
 
-// So many that none is to be seen by itself.
+// So many that each is a few pixels; and so many that none is to be seen by itself.
+constexpr std::size_t kDartsFrom = 50'000;
 constexpr std::size_t kNeedlesFrom = 300'000;
 // So many that it is worth asking what is hidden.
 constexpr std::size_t kHidingFrom = 10'000;
@@ -46,13 +47,16 @@ void add_shaft(Outline& outline, float width, float from, float to) {
     outline.add_triangle(a, c, d);
 }
 
-// Fewer triangles, for what is a few pixels.
-void add_taper(Outline& outline, float width) {
-    const auto corner = [&](float side, float along, const glm::vec3& normal) {
-        return outline.add({side * width, 0.0f, along}, normal, own_color(along, true));
+// Fewer triangles, for what is a few pixels. One that leans has its base so far from the axis, on the eye's side where it points to the
+// eye, and its tip as far on the other: end-on it covers as much as what is round, and from the side as if it did not lean.
+void add_taper(Outline& outline, float width, float from, float lean = 0.0f) {
+    const auto corner = [&](float side, float y, float along, const glm::vec3& normal) {
+        glm::u8vec4 color = own_color(along, true);
+        color.g = lean > 0.0f ? 255 : 0;
+        return outline.add({side * width, y, along}, normal, color);
     };
-    const GLuint a = corner(1.0f, 0.0f, {1.0f, 0.0f, 0.0f}), b = corner(-1.0f, 0.0f, {-1.0f, 0.0f, 0.0f});
-    outline.add_triangle(a, b, corner(0.0f, 2.0f, {0.0f, 1.0f, 0.0f}));
+    const GLuint a = corner(1.0f, lean, from, {1.0f, 0.0f, 0.0f}), b = corner(-1.0f, lean, from, {-1.0f, 0.0f, 0.0f});
+    outline.add_triangle(a, b, corner(0.0f, -lean, 2.0f, {0.0f, 1.0f, 0.0f}));
 }
 
 // A cone's outline from any side is that of a triangle and its base together. The base is a rhombus that is as wide as the
@@ -76,7 +80,7 @@ Outline outline_of(ArrowLook look, bool crowded) {
     const int pieces = look == ArrowLook::Dashed ? ArrowProportions::kDashes : 1;
     const float width = look == ArrowLook::Dashed ? ArrowProportions::kDashedWidth : 1.0f,
                 each = 1.0f / static_cast<float>(2 * pieces - 1);
-    if (crowded) add_taper(outline, 1.0f);
+    if (crowded) add_taper(outline, 1.0f, 0.0f);
     for (int piece = 0; piece < pieces && !crowded; ++piece) {
         const float from = static_cast<float>(2 * piece) * each;
         add_shaft(outline, width, from, from + each);
@@ -87,9 +91,19 @@ Outline outline_of(ArrowLook look, bool crowded) {
     return outline;
 }
 
+// A shaft and a head of one triangle each. What leans does so as far as it must for the surface's share of a picture to be what it
+// is beneath solid arrows.
+Outline dart() {
+    constexpr float kWide = ArrowProportions::kHeadRadius;
+    Outline outline;
+    add_taper(outline, 1.0f, 0.0f);
+    add_taper(outline, kWide, 1.0f, 1.2f * kWide);
+    return outline;
+}
+
 Outline needle() {
     Outline outline;
-    add_taper(outline, 1.5f);
+    add_taper(outline, 1.5f, 0.0f, 3.5f);
     return outline;
 }
 
@@ -132,7 +146,7 @@ const ArrowField::Kind& ArrowField::kind(ArrowLook look) {
     const auto [found, is_new] = kinds_.try_emplace(look);
     Kind& kind = found->second;
     if (!is_new) return kind;
-    const Outline outline = has_heads() ? outline_of(look, crowded) : needle();
+    const Outline outline = !has_heads() ? needle() : sites_.size() >= kDartsFrom ? dart() : outline_of(look, crowded);
     kind.shape_vertices = static_cast<GLsizei>(outline.vertices.size());
     kind.shape_corners = static_cast<GLsizei>(outline.corners.size());
     const std::size_t most = std::min(SiteClusters::kMost, sites_.size());
