@@ -137,24 +137,28 @@ private:
     // On the level's line, which the word's box breaks: away from the arrows and other words, rather below and to the
     // left, so that the levels stand in order.
     std::optional<glm::dvec2> place_for(int level, const std::string& name) const {
-        constexpr std::size_t kMostPlaces = 200;
+        constexpr std::size_t kMostPlaces = 200;  // among the lines' ends and middles
         const auto count = static_cast<std::size_t>(std::ranges::count(sets_.lines, level, &LevelSets::Line::level));
-        const std::size_t every = 1 + count / kMostPlaces;
+        const std::size_t every = 1 + 2 * count / kMostPlaces;
         const glm::dvec2 half = room_.half_size(name, Label::Role::Level), size(pane_.rect.size);
         const double clear = 1.3 * half.x;
         std::optional<glm::dvec2> best;
         double most = -1e300;
         std::size_t i = 0;
-        for (const LevelSets::Line& line : sets_.lines) {
-            if (line.level != level || i++ % every != 0) continue;
-            const glm::dvec3 where = pixel(line.ends[0]), from = line.ends[0] - sets_.middle;
+        const auto consider = [&](const glm::dvec3& place) {
+            const glm::dvec3 where = pixel(place), from = place - sets_.middle;
             const glm::dvec2 p(where);
             if (!(where.z > 0.0) || glm::any(glm::lessThan(p, half)) || glm::any(glm::lessThan(size - half, p)) ||
                 !room_.is_free(p, name, Label::Role::Level))
-                continue;
+                return;
             const double along = -0.8 * glm::dot(from, sets_.across[0]) - 0.6 * glm::dot(from, sets_.across[1]);
             const double score = along / sets_.reach + 2.0 * std::min(room_.clearance(p) / clear, 1.0);
             if (score > most) best = p, most = score;
+        };
+        for (const LevelSets::Line& line : sets_.lines) {
+            if (line.level != level) continue;
+            for (const glm::dvec3& place : {line.ends[0], 0.5 * (line.ends[0] + line.ends[1])})
+                if (i++ % every == 0) consider(place);
         }
         return best;
     }

@@ -13,8 +13,10 @@ namespace normalscope {
 
 namespace {
 
-constexpr int kCells = 144;            // a side
-constexpr int kArrowsASide = 9;        // at most; those outside the ball are left out
+constexpr int kCells = 144;      // a side
+constexpr int kSquare = 4;       // so many of them a side are drawn as one square at most
+constexpr double kFlat = 0.004;  // of the step between levels: this much f may differ there from what its corners say
+constexpr int kArrowsASide = 9;  // at most; those outside the ball are left out
 constexpr double kShareOfBands = 0.7;  // of the plane: so much of it lies within the first four levels on either side
 
 struct Corner {
@@ -66,7 +68,7 @@ public:
         evaluate();
         choose_step();
         if (sets_.step == 0.0) return sets_;
-        for (int j = 0; j < kCells; ++j) add_row(j);
+        for (int j = 0; j < kCells; j += kSquare) add_row(j);
         name_sides();
         if (gradient) add_gradients();
         return std::move(sets_);
@@ -113,40 +115,73 @@ private:
         if (size > 1e-100) sets_.step = round_step(size);
     }
 
-    // Cells of one band next to each other are drawn as one.
+    // Squares of cells, as large as they may be. Those of one band next to each other are drawn as one.
     void add_row(int j) {
         int from = 0;
         std::optional<int> band;
-        for (int i = 0; i <= kCells; ++i) {
+        for (int i = 0; i <= kCells; i += kSquare) {
             std::optional<int> here;
-            if (i < kCells) here = whole_band(i, j);
+            if (i < kCells) here = whole_band(i, j, kSquare);
             if (here != band) {
-                if (band) add_quad(place(from, j), place(i, j + 1), *band);
+                if (band) add_quad(place(from, j), place(i, j + kSquare), *band);
                 from = i;
                 band = here;
             }
-            if (i == kCells || here) continue;
-            const Corner &a = corner(i, j), &b = corner(i + 1, j), &c = corner(i + 1, j + 1), &d = corner(i, j + 1);
-            // Diagonals towards the middle and away in turn: no direction is preferred.
-            if ((i + j) % 2 == 0) {
-                add_triangle({a, b, c});
-                add_triangle({a, c, d});
-            } else {
-                add_triangle({a, b, d});
-                add_triangle({b, c, d});
-            }
+            if (i < kCells && !here) add_square(i, j, kSquare);
         }
     }
 
-    std::optional<int> whole_band(int i, int j) const {
-        std::optional<int> band;
-        for (const auto& [di, dj] : {std::array{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
-            const Corner& c = corner(i + di, j + dj);
-            if (std::isnan(c.f) || within(c) < 0.0) return std::nullopt;
-            if (band && *band != band_of(c.f)) return std::nullopt;
-            band = band_of(c.f);
+    void add_square(int i, int j, int size) {
+        if (const auto band = whole_band(i, j, size)) return add_quad(place(i, j), place(i + size, j + size), *band);
+        const Corner &a = corner(i, j), &b = corner(i + size, j), &c = corner(i + size, j + size),
+                     &d = corner(i, j + size);
+        if (is_plain(i, j, size)) return add_polygon({a, b, c, d});
+        if (size > 1) {
+            const int half = size / 2;
+            for (const auto& [di, dj] : {std::array{0, 0}, {half, 0}, {0, half}, {half, half}})
+                add_square(i + di, j + dj, half);
+        } else if ((i + j) % 2 == 0) {  // diagonals towards the middle and away in turn: no direction is preferred
+            add_polygon({a, b, c});
+            add_polygon({a, c, d});
+        } else {
+            add_polygon({a, b, d});
+            add_polygon({b, c, d});
         }
+    }
+
+    std::optional<int> whole_band(int i, int j, int size) const {
+        std::optional<int> band;
+        for (int l = j; l <= j + size; ++l)
+            for (int k = i; k <= i + size; ++k) {
+                const Corner& c = corner(k, l);
+                if (std::isnan(c.f) || within(c) < 0.0) return std::nullopt;
+                if (band && *band != band_of(c.f)) return std::nullopt;
+                band = band_of(c.f);
+            }
         return band;
+    }
+
+    // As good as known from its corners, and a level that enters it leaves it once: no saddle.
+    bool is_plain(int i, int j, int size) const {
+        const std::array<double, 4> f{corner(i, j).f, corner(i + size, j).f, corner(i + size, j + size).f,
+                                      corner(i, j + size).f};
+        for (int l = j; l <= j + size; ++l)
+            for (int k = i; k <= i + size; ++k) {
+                const Corner& c = corner(k, l);
+                if (std::isnan(c.f) || within(c) < 0.0) return false;
+                const double x = static_cast<double>(k - i) / size, y = static_cast<double>(l - j) / size;
+                const double flat = (1.0 - y) * std::lerp(f[0], f[1], x) + y * std::lerp(f[3], f[2], x);
+                if (!(std::abs(c.f - flat) <= kFlat * sets_.step)) return false;
+            }
+        const auto [low, high] = std::ranges::minmax(f);
+        if (high - low > 2.0 * sets_.step) return false;
+        for (int level = band_of(low); level <= band_of(high) + 1; ++level) {
+            int crossed = 0;
+            for (std::size_t k = 0; k < 4; ++k)
+                crossed += (f[k] < level * sets_.step) != (f[(k + 1) % 4] < level * sets_.step) ? 1 : 0;
+            if (crossed > 2) return false;
+        }
+        return true;
     }
 
     void add_quad(glm::dvec2 low, glm::dvec2 high, int band) {
@@ -155,11 +190,11 @@ private:
         sets_.patches.push_back({{a, c, d}, band});
     }
 
-    // What is left of a triangle where f has no value at some corners: up to the last point of each edge that has one.
-    Polygon defined_part(const std::array<Corner, 3>& t) const {
+    // What is left of a polygon where f has no value at some corners: up to the last point of each edge that has one.
+    Polygon defined_part(const Polygon& polygon) const {
         Polygon result;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Corner &a = t[i], &b = t[(i + 1) % 3];
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+            const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
             const bool has_a = !std::isnan(a.f), has_b = !std::isnan(b.f);
             if (has_a) result.push_back(a);
             if (has_a == has_b) continue;
@@ -177,14 +212,15 @@ private:
         return result;
     }
 
-    void add_triangle(const std::array<Corner, 3>& t) {
-        const auto [low, high] = std::minmax({t[0].f, t[1].f, t[2].f});
+    // A triangle, or a square that is plain.
+    void add_polygon(const Polygon& polygon) {
+        const auto [low, high] = std::minmax({polygon[0].f, polygon[1].f, polygon[2].f});
         if (high - low > 2.0 * sets_.step) {
             // Over a pole f jumps from −∞ to ∞ without having the values between.
-            const double f = evaluated((t[0].at + t[1].at + t[2].at) / 3.0).f;
+            const double f = evaluated((polygon[0].at + polygon[1].at + polygon[2].at) / 3.0).f;
             if (std::isnan(f) || f < low || f > high) return;
         }
-        const Polygon whole = clipped(defined_part(t), [&](const Corner& c) { return within(c); });
+        const Polygon whole = clipped(defined_part(polygon), [&](const Corner& c) { return within(c); });
         if (whole.size() < 3) return;
         double least = whole.front().f, most = least;
         for (const Corner& c : whole) least = std::min(least, c.f), most = std::max(most, c.f);
