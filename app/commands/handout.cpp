@@ -86,14 +86,13 @@ std::string words(const LessonStep& step, std::size_t number, const HandoutComma
 // What the step opens beside the picture stands below its words, as wide, in letters that can be read on paper.
 std::string tab_html(const LessonStep& step, Studio& studio, int picture_width) {
     constexpr int kLogicalWidth = 460;
-    const int width = std::max(picture_width, kLogicalWidth);
-    const Image image = studio
-                            .capture(step.scene, {.size = {width + width / 3, 3 * width},  // a page's height
-                                                  .scale = static_cast<float>(width) / kLogicalWidth,
-                                                  .tab = step.tab,
-                                                  .tab_alone = true,
-                                                  .marks = marks_of(step)})
-                            .image;
+    const Image image =
+        studio
+            .capture(step.scene, {.scale = std::max(static_cast<float>(picture_width) / kLogicalWidth, 1.0f),
+                                  .tab = step.tab,
+                                  .tab_is = CaptureOptions::TabIs::Alone,
+                                  .marks = marks_of(step)})
+            .image;
     return "  <img class=\"tab\" alt=\"" + html_text(step.tab) + "\" src=\"" + data_of(image) + "\">\n";
 }
 

@@ -77,8 +77,11 @@ int run(const SlidesCommand& command) {
     std::string html = page_head(lesson.title, kSlideStyle, live ? LiveHandout::policy() : "");
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const LessonStep& step = lesson.steps[i];
-        const CaptureOptions options{
-            .size = command.size, .scale = 1.5f * usual_scale(command.size), .tab = step.tab, .marks = marks_of(step)};
+        const CaptureOptions options{.size = command.size,
+                                     .scale = 1.5f * usual_scale(command.size),
+                                     .tab = step.tab,
+                                     .tab_is = CaptureOptions::TabIs::Whole,
+                                     .marks = marks_of(step)};
         const Image image = studio.capture(step.scene, options).image;
         write_png(command.folder / file_name(i), image);
         // A live page takes no file from beside it.

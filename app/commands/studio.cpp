@@ -1,5 +1,6 @@
 #include "commands/studio.h"
 
+#include "commands/tab_image.h"
 #include "core/base/beside.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -7,6 +8,7 @@
 #include "core/frame/display_scale.h"
 #include "core/frame/frame.h"
 #include "core/image/matte.h"
+#include "core/image/shrunk.h"
 #include "core/lessons/tabs.h"
 #include "core/picture/make_frame.h"
 #include "core/surface/surface.h"
@@ -16,14 +18,13 @@
 #include "platform/driver_variables.h"
 #include "platform/offscreen_context.h"
 #include "platform/system_fonts.h"
+#include "ui/kit/side_panel.h"
 #include "ui/offscreen_gui.h"
 
 #include <config.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <optional>
 
 namespace normalscope {
@@ -36,28 +37,15 @@ bool has_words(const Frame& frame) {
     return any;
 }
 
+float scale_for(const CaptureOptions& options) {
+    if (options.scale) return *options.scale;
+    if (options.lesson) return DisplayScale{}.of(1.0f, options.size, true);
+    return options.panel ? usual_panel_scale(options.size) : usual_scale(options.size);
+}
+
 std::string unknown_tab(const std::string& tab) {
     if (tab.starts_with("derivation#")) return "--tab " + tab + ": its lines are derivation#1 to derivation#12";
     return "--tab " + tab + ": there is no such tab; known: " + joined(tab_names(), " ");
-}
-
-std::uint32_t pixel_of(const Image& image, int x, int y) {
-    std::uint32_t pixel = 0;
-    std::memcpy(&pixel, image.pixel(x, y), sizeof pixel);
-    return pixel;
-}
-
-// From this column on, and down to the last row that holds anything but ground.
-Image what_is_full(const Image& image, int left) {
-    const std::uint32_t ground = pixel_of(image, left, image.size.y - 1);
-    const auto is_ground = [&](int y) {
-        for (int x = left; x < image.size.x; ++x)
-            if (pixel_of(image, x, y) != ground) return false;
-        return true;
-    };
-    int height = image.size.y;
-    while (height > 1 && is_ground(height - 1)) --height;
-    return cropped(image, {left, 0}, {image.size.x - left, std::min(height + 16, image.size.y)});
 }
 
 }  // namespace
@@ -84,6 +72,7 @@ struct Studio::Equipment {
         if (options.lesson) gui->interface.record_lesson(options.lesson, scene, options.step, options.answer);
         gui->interface.prepare(scene.theme, scale);
         Interface& interface = gui->interface;
+        if (options.lesson && options.tab_is == CaptureOptions::TabIs::Apart) interface.show_tab("");
         if (!options.lesson && !(options.panel ? interface.show_tab(options.tab) : interface.record_tab(options.tab)))
             throw UsageError(unknown_tab(options.tab));
         return gui->interface.picture(options.size);
@@ -134,7 +123,91 @@ Studio::Studio(const StudioOptions& options)
 }
 Studio::~Studio() = default;
 
+Studio::Equipment& Studio::equipment() {
+    if (!equipment_) equipment_ = std::make_unique<Equipment>(context_);
+    return *equipment_;
+}
+
+/// A tab by itself, and the line of the derivation that it stands at.
+struct Studio::TabPicture {
+    Image image;
+    std::optional<DerivationAt> line;
+};
+
+Studio::TabPicture Studio::draw_tab(const Scene& scene, const CaptureOptions& options, float scale) {
+    constexpr float kPicture = 160.0f;   // a picture that a tab stands beside
+    constexpr float kTallest = 4000.0f;  // more than any of them
+    constexpr float kSmallest = 0.25f;   // that an interface has
+    scale = std::max(scale, kSmallest);
+    Equipment& equipment = this->equipment();
+    CaptureOptions tab = options;
+    tab.size = glm::ivec2(scale * glm::vec2(kPicture + kSideWidth, kTallest));
+    const PixelRect rect = equipment.open_interface(scene, tab, scale);
+    const Frame frame = make_frame(scene, surfaces_.get(scene),
+                                   {.rect = rect, .pixel_scale = scale, .marks = equipment.gui->interface.marks()});
+    equipment.lay_out_interface(scene, frame, tab.size, scale);
+    Image image = filled(tab.size, theme_colors(scene.theme).panel);
+    equipment.gui->paint(image);
+    TabPicture result{what_is_full(image, rect.origin.x + rect.size.x + 2), equipment.gui->interface.marks().line};
+    equipment.gui.reset();
+    return result;
+}
+
+namespace {
+
+// How much smaller it must be to stand beside a picture of which enough is left.
+float smaller_for(glm::ivec2 tab, glm::ivec2 all) {
+    constexpr float kMostOfWidth = 0.62f;
+    return std::min({1.0f, static_cast<float>(all.y) / static_cast<float>(tab.y),
+                     kMostOfWidth * static_cast<float>(all.x) / static_cast<float>(tab.x)});
+}
+
+struct TabFit {
+    int columns = 1;
+    float smaller = 1.0f;
+};
+// In as many columns as leave its letters largest.
+TabFit fit_of(const Image& tab, glm::ivec2 all) {
+    TabFit best{1, smaller_for(tab.size, all)};
+    for (int columns = 2; columns <= 3; ++columns)
+        if (const float smaller = smaller_for(in_columns(tab, columns).size, all); smaller > best.smaller)
+            best = {columns, smaller};
+    return best;
+}
+
+}  // namespace
+
+Capture Studio::draw_with_tab(const Scene& scene, CaptureOptions options) {
+    const float scale = scale_for(options);
+    const CaptureOptions alone{.tab = options.lesson ? options.lesson->steps[options.step].tab : options.tab};
+    TabPicture tab = draw_tab(scene, alone, scale);
+    const TabFit fit = fit_of(tab.image, options.size);
+    float smaller = fit.smaller;
+    for (int i = 0; i < 3 && smaller < 1.0f; ++i) {  // words are as wide as whole pixels have them
+        tab = draw_tab(scene, alone, scale * smaller);
+        const Image columns = in_columns(tab.image, fit.columns);
+        if (smaller_for(columns.size, options.size) == 1.0f) break;
+        smaller *= 0.99f * smaller_for(columns.size, options.size);
+    }
+    tab.image = in_columns(tab.image, fit.columns);
+    if (const float still = smaller_for(tab.image.size, options.size); still < 1.0f)
+        tab.image = shrunk_by(tab.image, static_cast<int>(std::ceil(1.0f / still)));
+    options.size.x -= tab.image.size.x;
+    options.scale = scale;
+    options.tab.clear();
+    options.tab_is = CaptureOptions::TabIs::Apart;
+    options.marks.line = tab.line ? tab.line : options.marks.line;
+    Capture result = draw(scene, options, std::nullopt);
+    result.image = with_at_right(result.image, tab.image, theme_colors(scene.theme).panel);
+    return result;
+}
+
 Capture Studio::capture(const Scene& scene, const CaptureOptions& options) {
+    using enum CaptureOptions::TabIs;
+    if (options.tab_is == Alone) return {draw_tab(scene, options, scale_for(options)).image};
+    if (options.lesson ? !options.lesson->steps[options.step].tab.empty()
+                       : options.tab_is == Whole && !options.tab.empty())
+        return draw_with_tab(scene, options);
     if (options.ground == Ground::Scene) return draw(scene, options, std::nullopt);
     Capture white = draw(scene, options, glm::vec3(1.0f));
     if (options.ground == Ground::White) return white;
@@ -144,15 +217,13 @@ Capture Studio::capture(const Scene& scene, const CaptureOptions& options) {
 
 Capture Studio::draw(const Scene& scene, const CaptureOptions& options, const std::optional<glm::vec3>& plain_ground) {
     const bool first = !equipment_;
-    if (first) equipment_ = std::make_unique<Equipment>(context_);
+    (void)equipment();
     // A large mesh takes as long to read as shaders take to compile: do both at once.
     auto loading = beside([&] { return surfaces_.get(scene); }, first ? Begin::AtOnce : Begin::WhenAsked);
     Target& target = equipment_->target_for(options);
     if (!equipment_->renderer) equipment_->renderer.emplace();
 
-    const float scale = options.lesson ? DisplayScale{}.of(1.0f, options.size, true)
-                                       : options.scale.value_or(options.panel ? usual_panel_scale(options.size)
-                                                                              : usual_scale(options.size));
+    const float scale = scale_for(options);
     const bool interface = options.panel || options.lesson || !options.tab.empty();
     const std::shared_ptr<const Surface> surface = loading.get();
     // The interface remembers what it showed last, which must not change this picture; words alone are forgotten.
@@ -166,6 +237,7 @@ Capture Studio::draw(const Scene& scene, const CaptureOptions& options, const st
     const PixelRect rect =
         interface ? equipment_->open_interface(scene, options, scale) : PixelRect{{0, 0}, options.size};
     StepMarks marks = options.lesson ? equipment_->gui->interface.marks() : options.marks;
+    if (options.marks.line) marks.line = options.marks.line;
     if (interface && !options.lesson)
         if (const auto line = equipment_->gui->interface.marks().line) marks.line = line;
     Frame frame =
@@ -191,7 +263,6 @@ Capture Studio::draw(const Scene& scene, const CaptureOptions& options, const st
     if (words) {
         words.get();
         equipment_->gui->paint(result.image);
-        if (options.tab_alone) result.image = what_is_full(result.image, rect.origin.x + rect.size.x + 2);
     }
     if (options.numbers)
         result.numbers = numbers_text(scene, frame,

@@ -23,9 +23,11 @@ struct CaptureOptions {
     std::optional<float> scale;  ///< of words and lines; usual_scale where it is not given
     bool panel = false;          ///< the interface too
     std::string tab;             ///< the tab beside the picture; empty: none
-    bool tab_alone = false;      ///< of the picture no more than that tab, as high as it is full
-    bool numbers = false;        ///< fill Capture::numbers
-    /// With a lesson: what its step says, below the picture, as in presenter mode.
+    /// Cut off where the picture ends; all of it, in letters as small as that takes; it alone, as high as it is; or the
+    /// picture without it.
+    enum class TabIs { Cut, Whole, Alone, Apart } tab_is = TabIs::Cut;
+    bool numbers = false;  ///< fill Capture::numbers
+    /// With a lesson: what its step says, below the picture, as in presenter mode, and all of its tab.
     std::shared_ptr<const Lesson> lesson{};
     std::size_t step = 0;
     std::optional<std::size_t> answer{};  ///< the choice that has been made of its question
@@ -59,9 +61,13 @@ public:
     Capture capture(const Scene& scene, const CaptureOptions& options);
 
 private:
-    Capture draw(const Scene& scene, const CaptureOptions& options, const std::optional<glm::vec3>& plain_ground);
-
     struct Equipment;
+    Capture draw(const Scene& scene, const CaptureOptions& options, const std::optional<glm::vec3>& plain_ground);
+    Capture draw_with_tab(const Scene& scene, CaptureOptions options);
+    struct TabPicture;
+    TabPicture draw_tab(const Scene& scene, const CaptureOptions& options, float scale);
+    Equipment& equipment();
+
     ContextOptions context_;
     std::unique_ptr<Equipment> equipment_;
     SurfaceCache surfaces_;

@@ -35,7 +35,7 @@ Interface& Interface::operator=(Interface&&) noexcept = default;
 
 bool Interface::prepare(Theme theme, float scale) {
     Look& look = state_->look;
-    scale = std::clamp(scale, 0.5f, 8.0f);
+    scale = std::clamp(scale, 0.25f, 8.0f);
     const bool first = !look.fonts.body, scaled = first || scale != look.scale;
     if (first) {
         ImGuiIO& io = ImGui::GetIO();
@@ -111,8 +111,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
                     .progress = s.lecture.progress});
     s.draw_editor(scene, frame, status, requests);
     if (!s.lecture.exercises.running())
-        draw_side_panel(scene, tabs, s.side,
-                        {.look = s.look, .frame = frame, .status = status, .recorded = s.lecture.recorded},
+        draw_side_panel(scene, tabs, s.side, {.look = s.look, .frame = frame, .status = status},
                         static_cast<float>(room.side));
     if (!ImGui::GetIO().WantTextInput && !ImGui::IsAnyItemActive() && !s.asks() && !ImGui::GetIO().KeyMods &&
         ImGui::IsKeyPressed(ImGuiKey_D, false))
@@ -132,9 +131,8 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
         requests.reply.reset();
     }
     if (scene.stack != before) undo_overflow(scene, before, s.messages);
-    s.derivation.recorded = s.lecture.recorded;
     ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab,
-                          s.lecture.recorded ? ImVec4{} : ImGui::GetStyleColorVec4(ImGuiCol_ScrollbarGrab));
+                          s.look.still ? ImVec4{} : ImGui::GetStyleColorVec4(ImGuiCol_ScrollbarGrab));
     s.derivation.draw(s.look, scene, frame, derivation_shown() && !s.lecture.exercises.running(),
                       s.look.px(kTabsHeight));
     ImGui::PopStyleColor();
@@ -188,7 +186,7 @@ bool Interface::show_tab(std::string_view id) {
     return true;
 }
 bool Interface::record_tab(std::string_view id) {
-    state_->lecture.recorded = true;
+    state_->look.still = state_->lecture.recorded = true;
     state_->panel_shown = state_->drawer_open = false;
     return show_tab(id);
 }
@@ -208,7 +206,7 @@ void Interface::open_lesson(std::shared_ptr<const Lesson> lesson, const Scene& s
 }
 void Interface::record_lesson(const std::shared_ptr<const Lesson>& lesson, const Scene& scene, std::size_t step,
                               std::optional<std::size_t> answer) {
-    state_->lecture.recorded = state_->lecture.presenting = true;
+    state_->look.still = state_->lecture.recorded = state_->lecture.presenting = true;
     Lesson watched = *lesson;
     for (LessonStep& each : watched.steps) each.to_try.clear();  // nobody can, in a picture
     open_lesson(std::make_shared<const Lesson>(std::move(watched)), scene, step);

@@ -89,7 +89,7 @@ void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& me
     const float close = look.px(30), margin = look.px(16);
     ImGui::SetCursorPos({margin, look.px(8)});
     bool closed = false;
-    if (context.recorded) {
+    if (look.still) {
         ImGui::PushFont(look.fonts.strong);
         ImGui::TextUnformatted(tabs[*memory.open].label);
         ImGui::PopFont();
@@ -120,7 +120,7 @@ void draw_side_panel(Scene& scene, std::span<const SideTab> tabs, SideMemory& me
     ImGui::SetCursorPosX(1);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(right, 0));
     ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab,
-                          context.recorded ? ImVec4{} : ImGui::GetStyleColorVec4(ImGuiCol_ScrollbarGrab));
+                          look.still ? ImVec4{} : ImGui::GetStyleColorVec4(ImGuiCol_ScrollbarGrab));
     ImGui::PushID(static_cast<int>(open));  // each tab scrolls by itself
     const bool shown = ImGui::BeginChild("##tab", {width - 1, 0}, ImGuiChildFlags_AlwaysUseWindowPadding,
                                          ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_AlwaysVerticalScrollbar);

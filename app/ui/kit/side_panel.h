@@ -18,7 +18,6 @@ struct SideContext {
     const Look& look;
     const Frame& frame;
     const Status& status;
-    bool recorded = false;  ///< a picture of it is made: there is nothing to press
 };
 
 /// One tab of the panel at the picture's right. It is drawn into a column that scrolls, as wide as

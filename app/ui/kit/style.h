@@ -15,7 +15,8 @@ struct Look {
     Theme theme = Theme::Light;
     float scale = 1.0f;  ///< physical pixels per logical one
     Fonts fonts;
-    bool tips = true;  ///< not after a key: then the pointer only rests where it is
+    bool tips = true;    ///< not after a key: then the pointer only rests where it is
+    bool still = false;  ///< a picture of it is made: there is nothing to press
 
     ImVec4 text, dim;           ///< what is said, and what is said beside it
     ImVec4 panel, card, field;  ///< from back to front

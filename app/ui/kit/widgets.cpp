@@ -54,6 +54,17 @@ bool section(const Look& look, const char* title, bool open_at_first) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddLine(from, {from.x + width, from.y}, packed(look.line));
     ImGui::SetCursorScreenPos({from.x, from.y + look.px(4)});
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const float middle = low.y + height / 2;
+    const auto write = [&](float left) {
+        list.AddText(look.fonts.strong, look.fonts.strong->FontSize,
+                     {low.x + left, middle - look.fonts.strong->FontSize / 2}, packed(look.text), title);
+    };
+    if (look.still) {
+        ImGui::Dummy({width, height});
+        write(0.0f);
+        return open_at_first;
+    }
 
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID(title);
@@ -61,14 +72,11 @@ bool section(const Look& look, const char* title, bool open_at_first) {
     ImGui::SetNextItemAllowOverlap();
     ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
     ImGui::PushID(title);
-    const ImVec2 low = ImGui::GetCursorScreenPos();
     if (ImGui::Button("##section", {width, height})) storage.SetBool(id, open = !open);
     ImGui::PopID();
     ImGui::PopStyleColor();
-    const float middle = low.y + height / 2;
     draw_icon(list, open ? Icon::Down : Icon::Right, {low.x + look.px(6), middle}, look.px(12), packed(look.dim));
-    list.AddText(look.fonts.strong, look.fonts.strong->FontSize,
-                 {low.x + look.px(18), middle - look.fonts.strong->FontSize / 2}, packed(look.text), title);
+    write(look.px(18));
     return open;
 }
 

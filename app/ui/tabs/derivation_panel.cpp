@@ -63,7 +63,7 @@ void DerivationPanel::header(const Look& look) {
     ImGui::PushFont(look.fonts.title);
     ImGui::TextUnformatted("Why the inverse transpose?");
     ImGui::PopFont();
-    if (recorded) return;
+    if (look.still) return;
 
     static constexpr std::array<Segment, 2> kNames{
         {{"names", "Every symbol by its name."},

@@ -19,7 +19,6 @@ inline constexpr float kDerivationWidth = 432.0f;
 /// a lecturer may uncover line after line.
 class DerivationPanel {
 public:
-    bool recorded = false;  ///< a picture of it is made: there is nothing to press
 
     /// Does nothing unless `shown`. `top`: what is left free above it, for the tabs.
     void draw(const Look& look, const Scene& scene, const Frame& frame, bool shown, float top = 0.0f);

@@ -86,7 +86,7 @@ bool same_probe(const std::optional<Probe>& a, const std::optional<Probe>& b) {
 
 void too_few_for_an_order(const Look& look, Scene& scene) {
     wrapped(look, look.dim, "It takes two active entries to tell the orders apart.");
-    if (scene.stack.size() > 1 || !ImGui::Button("Add a rotation")) return;
+    if (look.still || scene.stack.size() > 1 || !ImGui::Button("Add a rotation")) return;
     scene.stack.push_back(Rotate{{0, 0, 1}, 30.0});
     scene.stack_position.reset();
 }
@@ -142,6 +142,7 @@ void rotation_and_stretch(const Look& look, Scene& scene, StackTab& tab) {
     wrapped(look, look.dim,
             "Only the stretch hurts normals: (R⁻¹)ᵀ = R turns them as it turns the surface, while S multiplies by its "
             "factors where (S⁻¹)ᵀ = S⁻¹ must divide by them.");
+    if (look.still) return;
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(look.px(4), look.px(1)));
     ImGui::Checkbox("show the stretch axes in the picture", &scene.show.stretch_axes);
     ImGui::PopStyleVar();

@@ -149,15 +149,17 @@ int steps_by_keys() {
 
 void stepper(const Look& look, AimedRay& ray, int last) {
     int by = steps_by_keys();
-    if (icon_button(look, "##previous",
-                    {.icon = Icon::Previous, .about = "One step back (left arrow).", .enabled = ray.step > 0}))
-        by = -1;
-    ImGui::SameLine(0, look.px(2));
-    if (icon_button(look, "##next",
-                    {.icon = Icon::Next, .about = "One step on (right arrow).", .enabled = ray.step < last}))
-        by = +1;
+    if (!look.still) {
+        if (icon_button(look, "##previous",
+                        {.icon = Icon::Previous, .about = "One step back (left arrow).", .enabled = ray.step > 0}))
+            by = -1;
+        ImGui::SameLine(0, look.px(2));
+        if (icon_button(look, "##next",
+                        {.icon = Icon::Next, .about = "One step on (right arrow).", .enabled = ray.step < last}))
+            by = +1;
+        ImGui::SameLine(0, look.px(8));
+    }
     if (by != 0) ray.step = std::clamp(std::min(ray.step, last) + by, 0, last);
-    ImGui::SameLine(0, look.px(8));
     const ImVec2 from = ImGui::GetCursorScreenPos();
     const float height = look.px(30), width = ImGui::GetContentRegionAvail().x,
                 each = width / (AimedRay::kLastStep + 1);
@@ -266,7 +268,7 @@ void draw_ray_tab(Scene& scene, const SideContext& context) {
                 "What a ray tracer does at every pixel: the ray goes to object space, meets the surface there, and the "
                 "normal "
                 "comes back by the inverse transpose.");
-        if (ImGui::Button("Send a ray")) {
+        if (!look.still && ImGui::Button("Send a ray")) {
             const auto [from, toward] = aim(AimedRay{}, scene.camera, view);
             scene.ray = AimedRay{from, toward, 0};
         }
@@ -284,6 +286,7 @@ void draw_ray_tab(Scene& scene, const SideContext& context) {
     }
     if (steps.end != RaySteps::End::Whole && scene.ray->step >= steps.last_step)
         remark(look, look.bad, why_no_further(steps.end));
+    if (look.still) return;
     ImGui::Dummy({0, look.px(4)});
     aim_bars(look, *scene.ray, aim(*scene.ray, scene.camera, view));
     if (ImGui::Button("take the ray away")) scene.ray.reset();

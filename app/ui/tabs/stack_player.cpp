@@ -71,7 +71,10 @@ void advance(StackPlayer& player, Scene& scene) {
     set_position(scene, player.position);
 }
 
-void player_controls(const Look& look, Scene& scene, StackPlayer& player) {
+namespace {
+
+// What steps through the stack, and the slider; gives the place where that stands.
+double controls(const Look& look, Scene& scene, StackPlayer& player) {
     const auto count = static_cast<double>(scene.stack.size());
     double position = std::min(scene.stack_position.value_or(count), count);
     const bool any = !scene.stack.empty();
@@ -106,6 +109,15 @@ void player_controls(const Look& look, Scene& scene, StackPlayer& player) {
         player.playing = false;
     }
     ImGui::EndDisabled();
+    return position;
+}
+
+}  // namespace
+
+void player_controls(const Look& look, Scene& scene, StackPlayer& player) {
+    const auto count = static_cast<double>(scene.stack.size());
+    const double position =
+        look.still ? std::min(scene.stack_position.value_or(count), count) : controls(look, scene, player);
     ImGui::PushFont(look.fonts.small);
     dim_text(look, said(scene, position));
     ImGui::PopFont();

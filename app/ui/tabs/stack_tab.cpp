@@ -35,8 +35,9 @@ void entry_header(const Look& look, const Scene& scene, std::size_t i, bool& ope
                        packed(look.line));
     list.AddRectFilled({low.x, low.y + look.px(5)},
                        {low.x + look.px(3), low.y + look.px(5) + part * (height - look.px(10))}, packed(look.accent));
-    draw_icon(list, open ? Icon::Down : Icon::Right, {low.x + look.px(14), middle}, look.px(11), packed(look.dim));
-    float x = low.x + look.px(26);
+    if (!look.still)
+        draw_icon(list, open ? Icon::Down : Icon::Right, {low.x + look.px(14), middle}, look.px(11), packed(look.dim));
+    float x = low.x + look.px(look.still ? 12 : 26);
     const auto word = [&](const ImFont* font, const ImVec4& ink, const std::string& text, float gap) {
         list.AddText(font, font->FontSize, {x, std::round(middle - font->FontSize / 2)}, packed(ink), text.c_str());
         x += font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.c_str()).x + gap;
