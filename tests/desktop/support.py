@@ -48,14 +48,14 @@ def png_size(png):
 # ---- The window
 
 class Window:
-    """A window of the program's, its home and its working folder in `folder`."""
+    """A window of the program's, its home and its working folder in `folder`, with these settings from before."""
 
-    def __init__(self, folder, *arguments, size=SIZE):
+    def __init__(self, folder, *arguments, size=SIZE, **settings):
         self.folder, self.size = folder, size
         config = folder / "config" / "normalscope"
         if size:
             config.mkdir(parents=True, exist_ok=True)
-            (config / "settings.json").write_text(json.dumps({"window_size": size}))
+            (config / "settings.json").write_text(json.dumps({"window_size": size, **settings}))
         self.stderr = folder / "stderr"
         with open(self.stderr, "wb") as stderr:
             self.process = subprocess.Popen(
