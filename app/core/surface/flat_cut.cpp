@@ -57,7 +57,7 @@ glm::dvec3 onto_curve(const ImplicitSurface& surface, const glm::dvec3& start, d
 }
 
 std::vector<CurvePiece> pieces_of_formula(const ImplicitSurface& surface) {
-    const LevelSets sets = level_sets(surface, {Axis::Z, 0.0, false});
+    const LevelSets sets = level_sets(surface, {Axis::Z, 0.0, false}, Detail::Lines);
     const double reach = 0.01 * sets.reach;
     std::vector<CurvePiece> pieces;
     for (const LevelSets::Line& line : sets.lines) {

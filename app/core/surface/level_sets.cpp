@@ -50,8 +50,10 @@ Polygon clipped(const Polygon& polygon, F&& above) {
 
 class Maker {
 public:
-    Maker(const ImplicitSurface& surface, const Slice& slice)
-        : surface_(surface), may_jump_(formulas::may_jump(surface.written_program())) {
+    Maker(const ImplicitSurface& surface, const Slice& slice, Detail detail)
+        : surface_(surface),
+          square_(detail == Detail::Bands ? kSquare : 1),
+          may_jump_(formulas::may_jump(surface.written_program())) {
         const auto axis = static_cast<glm::length_t>(slice.axis);
         // So that (u, v, axis) is right-handed, and the plane looks as one draws it.
         sets_.across[0][(axis + 1) % 3] = 1.0;
@@ -68,7 +70,7 @@ public:
         evaluate();
         choose_step();
         if (sets_.step == 0.0) return sets_;
-        for (int j = 0; j < kCells; j += kSquare) add_row(j);
+        for (int j = 0; j < kCells; j += square_) add_row(j);
         name_sides();
         if (gradient) add_gradients();
         return std::move(sets_);
@@ -119,15 +121,15 @@ private:
     void add_row(int j) {
         int from = 0;
         std::optional<int> band;
-        for (int i = 0; i <= kCells; i += kSquare) {
+        for (int i = 0; i <= kCells; i += square_) {
             std::optional<int> here;
-            if (i < kCells) here = whole_band(i, j, kSquare);
+            if (i < kCells) here = whole_band(i, j, square_);
             if (here != band) {
-                if (band) add_quad(place(from, j), place(i, j + kSquare), *band);
+                if (band) add_quad(place(from, j), place(i, j + square_), *band);
                 from = i;
                 band = here;
             }
-            if (i < kCells && !here) add_square(i, j, kSquare);
+            if (i < kCells && !here) add_square(i, j, square_);
         }
     }
 
@@ -135,7 +137,7 @@ private:
         if (const auto band = whole_band(i, j, size)) return add_quad(place(i, j), place(i + size, j + size), *band);
         const Corner &a = corner(i, j), &b = corner(i + size, j), &c = corner(i + size, j + size),
                      &d = corner(i, j + size);
-        if (is_plain(i, j, size)) return add_polygon({a, b, c, d});
+        if (square_ > 1 && is_plain(i, j, size)) return add_polygon({a, b, c, d});
         if (size > 1) {
             const int half = size / 2;
             for (const auto& [di, dj] : {std::array{0, 0}, {half, 0}, {0, half}, {half, half}})
@@ -302,6 +304,7 @@ private:
     }
 
     const ImplicitSurface& surface_;
+    int square_;  // so many cells a side are drawn as one at most
     bool may_jump_;
     bool round_ = true;
     LevelSets sets_;
@@ -310,8 +313,8 @@ private:
 
 }  // namespace
 
-LevelSets level_sets(const ImplicitSurface& surface, const Slice& slice) {
-    return Maker(surface, slice).make(slice.gradient);
+LevelSets level_sets(const ImplicitSurface& surface, const Slice& slice, Detail detail) {
+    return Maker(surface, slice, detail).make(slice.gradient);
 }
 
 std::shared_ptr<const LevelSets> level_sets(const Scene& scene, const ImplicitSurface* surface) {

@@ -45,7 +45,9 @@ struct LevelSets {
 
 /// The scene's level sets; null where it has no slice or its surface no formula.
 std::shared_ptr<const LevelSets> level_sets(const Scene& scene, const ImplicitSurface* surface);
-LevelSets level_sets(const ImplicitSurface& surface, const Slice& slice);
+/// Bands are made of squares as large as f allows, for a picture; or lines are as fine as can be.
+enum class Detail { Bands, Lines };
+LevelSets level_sets(const ImplicitSurface& surface, const Slice& slice, Detail detail = Detail::Bands);
 
 /// Keeps the last ones while neither the formula nor the plane changes.
 class LevelSetsCache {
