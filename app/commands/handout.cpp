@@ -24,7 +24,7 @@ constexpr std::string_view kStyle = R"(
          max-width: 60rem; margin: 2.5rem auto; padding: 0 1.5rem; }
   article + article { margin-top: 4rem; }
   h1 { font-size: 1.9rem; margin: 0 0 .2rem; }
-  h2 { font-size: 1.2rem; margin: 0 0 .4rem; column-span: all; break-after: avoid; }
+  h2 { font-size: 1.2rem; margin: 0 0 .4rem; break-after: avoid; }
   .about { color: #69707a; margin: 0 0 2rem; }
   section { margin: 0 0 2.2rem; break-inside: avoid; }
   section:has(.tab) { break-inside: auto; }
@@ -45,6 +45,7 @@ constexpr std::string_view kStyle = R"(
     article + article { margin: 0; break-before: page; }
     h1 { font-size: 15pt; } .about { margin: 0 0 4mm; } h2 { font-size: 11pt; }
     .steps { columns: 2; column-gap: 8mm; }
+    img { width: 92%; } img.tab { width: auto; max-width: 100%; max-height: 250mm; }
     section { margin: 0 0 5mm; } .caption { margin-top: 1.5mm; }
     .look, .answers { font-size: 9pt; } .equation { font-size: 11pt; margin-top: 1mm; }
     ol.choices { margin: 1mm 0 0; padding-left: 6mm; }
