@@ -146,6 +146,9 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
 }
 
 void Interface::draw_words(const Frame& frame) const { normalscope::draw_words(state_->look, frame); }
+std::vector<PixelRect> Interface::word_boxes(const Frame& frame) const {
+    return normalscope::word_boxes(state_->look, frame);
+}
 
 void Interface::show_derivation(bool shown) {
     if (shown)

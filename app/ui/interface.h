@@ -46,6 +46,8 @@ public:
     Requests draw(Scene& scene, const Frame& frame, const Status& status);
     /// Only the words on the picture (labels, legend), as in a capture without the panel.
     void draw_words(const Frame& frame) const;
+    /// What these cover, in pixels of the framebuffer.
+    std::vector<PixelRect> word_boxes(const Frame& frame) const;
 
     /// One line that the user must see, such as why a file was refused; shown until dismissed or replaced.
     void show_error(std::string_view line);

@@ -109,6 +109,20 @@ struct Label {
     glm::vec3 color{0.0f};
 };
 
+/// A line or an arrow in world space, on which no word lies.
+struct Stroke {
+    glm::dvec3 a{0.0}, b{0.0};
+    double half_width = 0.0;  ///< in world units
+};
+
+/// A word that stands near a place of world space, wherever it hides the least (core/frame/label_room.h).
+struct WantedLabel {
+    glm::dvec3 at{0.0};
+    std::string text;
+    glm::vec3 color{0.0f};
+    bool there = false;  ///< rather about its very place than beside it
+};
+
 struct LegendEntry {
     ArrowKind kind;
     ArrowLook look;  ///< in pixels; an SVG's arrows have their own in any number
@@ -139,8 +153,11 @@ struct Pane {
     std::vector<SolidVertex> solids;       ///< opaque triangles
     std::vector<SolidVertex> translucent;  ///< drawn last, without writing depth
     std::vector<Label> labels;
-    std::vector<SymbolArrow> symbols;              ///< at the probe, drawn or not
-    std::vector<std::array<glm::dvec3, 2>> lines;  ///< in world space: what words had better not cross
+    std::vector<SymbolArrow> symbols;  ///< at the probe, drawn or not
+    std::vector<Stroke> strokes;
+    std::vector<std::vector<glm::dvec3>> areas;  ///< convex, in world space: words stand beside them where they can
+    std::vector<WantedLabel> wanted;             ///< none are left in a frame that is made
+    std::vector<glm::dvec2> outline;             ///< convex, in pixels of the pane, about the object
 };
 
 /// A picture as data: what a renderer draws and what the overlay writes on it. Colours are sRGB.

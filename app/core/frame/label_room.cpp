@@ -9,10 +9,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace normalscope {
 
 namespace {
+
+constexpr double kFarthest = 80.0;  ///< of a word from what it names, in logical pixels
+constexpr double kMargin = 3.0;     ///< between a word and a line, in logical pixels
+constexpr double kCrossed = 60.0;   ///< what it costs to lie on a line or on another word, however little
+constexpr double kInArea = 70.0, kOnObject = 22.0;  ///< what it costs to lie within one
 
 double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
     const glm::dvec2 ab = b - a;
@@ -20,7 +26,47 @@ double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::
     return glm::distance(p, a + s * ab);
 }
 
-// How much of a segment lies within a box about 0 (Liang and Barsky, 1984).
+// Rather more than they take, in ems of a semibold face: what is set smaller or thinner has air about it.
+double width_of(std::string_view text) {
+    double width = 0.0;
+    std::size_t plain = 0;
+    for (const char c : text) {
+        if (static_cast<unsigned char>(c) >= 0x80) continue;
+        ++plain;
+        if (std::string_view(" .,:;'|!il()[]jtfrI").find(c) != std::string_view::npos)
+            width += 0.34;
+        else if (std::string_view("mwMW@%").find(c) != std::string_view::npos)
+            width += 0.92;
+        else
+            width += c >= 'A' && c <= 'Z' ? 0.68 : 0.6;
+    }
+    return width + 0.66 * static_cast<double>(columns(text) - std::min(plain, columns(text)));
+}
+
+double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+// Andrew's monotone chain (1979).
+std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points) {
+    std::ranges::sort(points, [](const auto& a, const auto& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+    if (points.size() < 3) return {};
+    std::vector<glm::dvec2> hull;
+    const auto go_along = [&](auto first, auto last) {
+        const std::size_t before = hull.size() + 1;
+        for (auto p = first; p != last; ++p) {
+            while (hull.size() > before && cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 0.0)
+                hull.pop_back();
+            hull.push_back(*p);
+        }
+        hull.pop_back();
+    };
+    go_along(points.begin(), points.end());
+    go_along(points.rbegin(), points.rend());
+    return hull;
+}
+
+}  // namespace
+
+// Liang and Barsky, 1984.
 double length_within(const glm::dvec2& half, const glm::dvec2& a, const glm::dvec2& b) {
     double from = 0.0, to = 1.0;
     for (glm::length_t i = 0; i < 2; ++i) {
@@ -36,10 +82,46 @@ double length_within(const glm::dvec2& half, const glm::dvec2& a, const glm::dve
     return to > from ? (to - from) * glm::distance(a, b) : 0.0;
 }
 
-}  // namespace
+double share_within(const std::vector<glm::dvec2>& convex, const glm::dvec2& low, const glm::dvec2& high) {
+    constexpr int kAcross = 9, kDown = 5;
+    if (convex.size() < 3) return 0.0;
+    const auto holds = [&](const glm::dvec2& p) {
+        double least = 0.0, most = 0.0;
+        for (std::size_t i = 0; i < convex.size(); ++i) {
+            const glm::dvec2 &a = convex[i], &b = convex[(i + 1) % convex.size()];
+            const double side = cross(b - a, p - a);
+            least = std::min(least, side), most = std::max(most, side);
+        }
+        return least == 0.0 || most == 0.0;
+    };
+    int within = 0;
+    for (int i = 0; i < kAcross; ++i)
+        for (int k = 0; k < kDown; ++k)
+            within += holds(glm::mix(low, high, glm::dvec2(i / (kAcross - 1.0), k / (kDown - 1.0)))) ? 1 : 0;
+    return within / static_cast<double>(kAcross * kDown);
+}
+
+std::vector<glm::dvec2> outline_of(const Pane& pane, const Mesh& mesh,
+                                   const Transform<World, Object>& world_from_object) {
+    constexpr std::size_t kMost = 2000;
+    std::vector<glm::dvec2> points;
+    for (std::size_t i = 0; i < mesh.positions.size(); i += 1 + mesh.positions.size() / kMost) {
+        const Point<Object> p{mesh.positions[i]};
+        if (!world_from_object.reaches(p)) continue;
+        const glm::dvec3 pixel = pane.view.pixel(world_from_object(p));
+        if (pixel.z > 0.0) points.emplace_back(pixel);
+    }
+    return convex_hull(std::move(points));
+}
 
 LabelRoom::LabelRoom(Pane& pane, double pixel_scale) : pane_(pane), scale_(pixel_scale) {
-    for (const auto& [from, to] : pane.lines) keep_clear(from, to);
+    for (const Stroke& stroke : pane.strokes) keep_clear(stroke);
+    for (const std::vector<glm::dvec3>& area : pane.areas) {
+        std::vector<glm::dvec2> corners;
+        for (const glm::dvec3& corner : area)
+            if (const glm::dvec3 p = pane.view.pixel({corner}); p.z > 0.0) corners.emplace_back(p);
+        areas_.push_back(std::move(corners));
+    }
     for (const Label& label : pane.labels) {
         Box box{glm::dvec2(label.pixel) - glm::dvec2(pane.rect.origin), half_size(label.text, label.role)};
         if (label.role == Label::Role::Note) box.middle.x += box.half.x;
@@ -47,22 +129,26 @@ LabelRoom::LabelRoom(Pane& pane, double pixel_scale) : pane_(pane), scale_(pixel
     }
 }
 
-void LabelRoom::keep_clear(const glm::dvec3& a, const glm::dvec3& b) {
-    const glm::dvec3 from = pane_.view.pixel({a}), to = pane_.view.pixel({b});
-    if (from.z > 0.0 && to.z > 0.0) lines_.push_back({glm::dvec2(from), glm::dvec2(to)});
+LabelRoom::Line LabelRoom::line_of(const Stroke& stroke) const {
+    const glm::dvec3 from = pane_.view.pixel({stroke.a}), to = pane_.view.pixel({stroke.b});
+    if (!(from.z > 0.0) || !(to.z > 0.0)) return {{}, {}, -1.0};
+    return {glm::dvec2(from), glm::dvec2(to), stroke.half_width / pane_.view.world_per_pixel({stroke.b})};
+}
+
+void LabelRoom::keep_clear(const Stroke& stroke) {
+    if (const Line line = line_of(stroke); line.half_width >= 0.0) lines_.push_back(line);
 }
 
 double LabelRoom::clearance(const glm::dvec2& pixel) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const auto& [a, b] : lines_) least = std::min(least, distance_to_segment(pixel, a, b));
+    for (const Line& line : lines_) least = std::min(least, distance_to_segment(pixel, line.a, line.b));
     return least;
 }
 
 glm::dvec2 LabelRoom::half_size(const std::string& text, Label::Role role) const {
-    const bool small = role == Label::Role::Note || role == Label::Role::Level;
     const bool boxed = role == Label::Role::Side || role == Label::Role::Level;
-    const double pad = boxed ? 5.0 : 1.0;
-    return scale_ * (glm::dvec2((small ? 3.3 : 3.9) * static_cast<double>(columns(text)), small ? 8.0 : 9.0) + pad);
+    const double pad = boxed ? 5.0 : 1.0, em = role == Label::Role::Note || role == Label::Role::Level ? 14.0 : 15.0;
+    return scale_ * (glm::dvec2(0.5 * em * width_of(text), 0.68 * em) + pad);
 }
 
 bool LabelRoom::is_free(const glm::dvec2& pixel, const std::string& text, Label::Role role) const {
@@ -71,33 +157,51 @@ bool LabelRoom::is_free(const glm::dvec2& pixel, const std::string& text, Label:
         taken_, [&](const Box& box) { return glm::all(glm::lessThan(glm::abs(pixel - box.middle), half + box.half)); });
 }
 
+bool LabelRoom::meets_word(const Stroke& stroke) const {
+    const Line line = line_of(stroke);
+    return line.half_width >= 0.0 && std::ranges::any_of(taken_, [&](const Box& box) {
+               return length_within(box.half + line.half_width, line.a - box.middle, line.b - box.middle) > 0.0;
+           });
+}
+
 void LabelRoom::put_at(const glm::dvec2& pixel, const std::string& text, Label::Role role, const glm::vec3& color) {
     pane_.labels.push_back({role, glm::vec2(pane_.rect.origin) + glm::vec2(pixel), text, color});
     taken_.push_back({pixel, half_size(text, role)});
 }
 
+std::vector<LabelRoom::Line> LabelRoom::lines_near(const glm::dvec2& pixel, const glm::dvec2& reach) const {
+    std::vector<Line> near;
+    for (const Line& line : lines_)
+        if (length_within(reach + line.half_width, line.a - pixel, line.b - pixel) > 0.0) near.push_back(line);
+    return near;
+}
+
 // What a box hides, in pixels: of lines, of other words, and of itself beyond the pane's edge.
-double LabelRoom::overlap(const Box& box) const {
+double LabelRoom::hidden_by(const Box& box, const std::vector<Line>& near) const {
     double hidden = 0.0;
-    const glm::dvec2 with_heads = box.half + 5.0 * scale_;  // lines have a width, and arrows more
-    for (const auto& [a, b] : lines_) hidden += length_within(with_heads, a - box.middle, b - box.middle);
+    const auto cover = [&](double length) {
+        if (length > 0.0) hidden += kCrossed * scale_ + length;
+    };
+    for (const Line& line : near)
+        cover(length_within(box.half + line.half_width + kMargin * scale_, line.a - box.middle, line.b - box.middle));
     for (const Box& other : taken_) {
         const glm::dvec2 common = box.half + other.half - glm::abs(box.middle - other.middle);
-        if (common.x > 0.0 && common.y > 0.0) hidden += 2.0 * (common.x + common.y);
+        if (common.x > 0.0 && common.y > 0.0) cover(2.0 * (common.x + common.y));
     }
     const glm::dvec2 low = box.half - box.middle, high = box.middle + box.half - glm::dvec2(pane_.rect.size);
     for (glm::length_t i = 0; i < 2; ++i) hidden += 4.0 * (std::max(low[i], 0.0) + std::max(high[i], 0.0));
     return hidden;
 }
 
-void LabelRoom::put_beside(const glm::dvec3& at, const std::string& text, const glm::vec3& color) {
-    const glm::dvec3 pixel = pane_.view.pixel({at});
+void LabelRoom::put_beside(const WantedLabel& wanted) {
+    const glm::dvec3 pixel = pane_.view.pixel({wanted.at});
     if (!(pixel.z > 0.0)) return;
-    const glm::dvec2 half = half_size(text, Label::Role::Axis), size(pane_.rect.size), p(pixel);
+    const glm::dvec2 half = half_size(wanted.text, Label::Role::Axis), size(pane_.rect.size), p(pixel);
     if (glm::any(glm::lessThan(p, glm::dvec2(0.0))) || glm::any(glm::lessThan(size, p))) return;
+    const std::vector<Line> near = lines_near(p, 2.0 * half + (kFarthest + kMargin) * scale_);
     Box best{p, half};
-    double least = std::numeric_limits<double>::infinity();
-    for (const double away : {7.0, 15.0, 26.0, 40.0})
+    double least = wanted.there ? 4.0 * hidden_by(best, near) : std::numeric_limits<double>::infinity();
+    for (const double away : {7.0, 15.0, 26.0, 40.0, 58.0, kFarthest})
         for (int k = 0; k < 16; ++k) {
             // From the upper right on, in turn to either side of it.
             const int turns = k % 2 == 0 ? k / 2 : -(k + 1) / 2;
@@ -107,10 +211,20 @@ void LabelRoom::put_beside(const glm::dvec3& at, const std::string& text, const 
             const Box box{
                 p + toward * (scale_ * away) + half * glm::clamp(1.6 * toward, glm::dvec2(-1.0), glm::dvec2(1.0)),
                 half};
-            const double cost = 4.0 * overlap(box) + away * scale_ + 0.4 * k;
+            const glm::dvec2 low = box.middle - half, high = box.middle + half;
+            double cost = 4.0 * hidden_by(box, near) + scale_ * (away + 0.4 * k);
+            for (const std::vector<glm::dvec2>& area : areas_) cost += kInArea * scale_ * share_within(area, low, high);
+            cost += kOnObject * scale_ * share_within(pane_.outline, low, high);
             if (cost < least) least = cost, best = box;
         }
-    put_at(best.middle, text, Label::Role::Axis, color);
+    put_at(best.middle, wanted.text, Label::Role::Axis, wanted.color);
+}
+
+void place_labels(Pane& pane, const Mesh& mesh, const Transform<World, Object>& world_from_object, double pixel_scale) {
+    pane.outline = outline_of(pane, mesh, world_from_object);
+    LabelRoom room(pane, pixel_scale);
+    for (const WantedLabel& wanted : pane.wanted) room.put_beside(wanted);
+    pane.wanted.clear();
 }
 
 }  // namespace normalscope

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "core/frame/frame.h"
+#include "core/mesh/mesh.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -15,20 +15,22 @@ namespace normalscope {
 /// a word takes is but estimated: fonts are not known here.
 class LabelRoom {
 public:
-    /// The labels that the pane already has are left where they are, and its lines kept clear.
+    /// The labels that the pane already has are left where they are, and what is drawn in it kept clear.
     LabelRoom(Pane& pane, double pixel_scale);
 
-    /// A line or an arrow in world space, which words had better not cross.
-    void keep_clear(const glm::dvec3& a, const glm::dvec3& b);
+    /// Of what is not in the pane yet.
+    void keep_clear(const Stroke& stroke);
     /// From a pixel of the pane to the nearest such line.
     double clearance(const glm::dvec2& pixel) const;
     /// Whether a word about that pixel of the pane meets no other.
     bool is_free(const glm::dvec2& pixel, const std::string& text, Label::Role role) const;
+    /// Whether a line lies under a word.
+    bool meets_word(const Stroke& stroke) const;
 
     /// About that pixel of the pane, whatever is there.
     void put_at(const glm::dvec2& pixel, const std::string& text, Label::Role role, const glm::vec3& color);
-    /// Near a place of world space, on whichever side is the most free; nothing where it lies behind the eye.
-    void put_beside(const glm::dvec3& at, const std::string& text, const glm::vec3& color);
+    /// On whichever side is the most free; nothing where its place lies behind the eye.
+    void put_beside(const WantedLabel& wanted);
 
     glm::dvec2 half_size(const std::string& text, Label::Role role) const;
 
@@ -36,12 +38,30 @@ private:
     struct Box {
         glm::dvec2 middle, half;
     };
-    double overlap(const Box& box) const;
+    struct Line {
+        glm::dvec2 a, b;
+        double half_width;
+    };
+    Line line_of(const Stroke& stroke) const;  // of half_width < 0 where it lies behind the eye
+    double hidden_by(const Box& box, const std::vector<Line>& near) const;
+    std::vector<Line> lines_near(const glm::dvec2& pixel, const glm::dvec2& reach) const;
 
     Pane& pane_;
     double scale_;
     std::vector<Box> taken_;
-    std::vector<std::array<glm::dvec2, 2>> lines_;
+    std::vector<Line> lines_;
+    std::vector<std::vector<glm::dvec2>> areas_;
 };
+
+/// Convex corners, in order, about where the object is in the pane.
+std::vector<glm::dvec2> outline_of(const Pane& pane, const Mesh& mesh,
+                                   const Transform<World, Object>& world_from_object);
+/// How much of a box lies within a convex polygon, 0 to 1.
+double share_within(const std::vector<glm::dvec2>& convex, const glm::dvec2& low, const glm::dvec2& high);
+/// How much of a line lies within a box about 0.
+double length_within(const glm::dvec2& half, const glm::dvec2& a, const glm::dvec2& b);
+
+/// At last, when all is drawn: the words that the pane wants.
+void place_labels(Pane& pane, const Mesh& mesh, const Transform<World, Object>& world_from_object, double pixel_scale);
 
 }  // namespace normalscope

@@ -184,4 +184,8 @@ void add_patch(Solids& solids, const glm::dvec3& centre, const glm::dvec3& half_
              {centre + half_u + half_v, unlit}, {centre - half_u + half_v, unlit}, color);
 }
 
+void keep_clear(Pane& pane, std::span<const glm::dvec3> path, double half_width) {
+    for (std::size_t i = 1; i < path.size(); ++i) pane.strokes.push_back({path[i - 1], path[i], half_width});
+}
+
 }  // namespace normalscope

@@ -42,4 +42,7 @@ void add_polygon(Solids& solids, std::span<const glm::dvec3> corners, const glm:
 void add_patch(Solids& solids, const glm::dvec3& centre, const glm::dvec3& half_u, const glm::dvec3& half_v,
                const glm::vec4& color);
 
+/// No word lies on the lines from point to point.
+void keep_clear(Pane& pane, std::span<const glm::dvec3> path, double half_width = 0.0);
+
 }  // namespace normalscope

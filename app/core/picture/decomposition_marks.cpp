@@ -3,7 +3,6 @@
 #include "core/base/decimal.h"
 #include "core/frame/arcs.h"
 #include "core/frame/frame_options.h"
-#include "core/frame/label_room.h"
 #include "core/frame/solids.h"
 #include "core/math/polar_decomposition.h"
 #include "core/scene/mistakes.h"
@@ -33,29 +32,21 @@ std::size_t nearest_normal(const Mesh& mesh, const WorstNormal& worst) {
     return best;
 }
 
-/// Arrows with words at their ends, which stand clear of all of them.
+/// Arrows with words at their ends.
 class Marks {
 public:
-    Marks(Pane& pane, const FrameOptions& options, const glm::vec3& ink)
-        : pane_(pane), room_(pane, options.pixel_scale), ink_(ink) {}
-    ~Marks() {
-        for (const auto& [at, text] : words_) room_.put_beside(at, text, ink_);
-    }
-    Marks(const Marks&) = delete;
-    Marks& operator=(const Marks&) = delete;
+    Marks(Pane& pane, const glm::vec3& ink) : pane_(pane), ink_(ink) {}
 
     void arrow(const glm::dvec3& base, const glm::dvec3& vector, double radius, const glm::vec3& color,
                ArrowLook look = ArrowLook::Plain) {
         add_arrow(pane_.solids, base, vector, radius, glm::vec4(color, 1.0f), look, {});
-        room_.keep_clear(base, base + vector);
+        pane_.strokes.push_back({base, base + vector, ArrowProportions::kHeadRadius * radius});
     }
-    void name(const glm::dvec3& at, std::string text) { words_.emplace_back(at, std::move(text)); }
+    void name(const glm::dvec3& at, std::string text) { pane_.wanted.push_back({at, std::move(text), ink_}); }
 
 private:
     Pane& pane_;
-    LabelRoom room_;
     glm::vec3 ink_;
-    std::vector<std::pair<glm::dvec3, std::string>> words_;
 };
 
 }  // namespace
@@ -69,7 +60,7 @@ void add_decomposition_marks(Pane& pane, const Scene& scene, const Mesh& mesh, c
     const glm::dvec3 origin = world_from_object(Point<Object>{}).xyz;
     const double pixel = options.pixel_scale * pane.view.world_per_pixel({origin});
     const glm::vec3 ink = theme_colors(scene.theme).text;
-    Marks marks(pane, options, ink);
+    Marks marks(pane, ink);
     for (std::size_t i = 0; i < parts.axes.size(); ++i) {
         const StretchAxis& axis = parts.axes[i];
         const glm::dvec3 end = (kBeyondUnitBall * axis.factor) * axis.to.xyz;
@@ -95,6 +86,7 @@ void add_decomposition_marks(Pane& pane, const Scene& scene, const Mesh& mesh, c
     marks.arrow(base, length * v, radius, kInverseTransposeColor);
     const std::vector<glm::dvec3> arc = arc_between(base, u, v, 0.6 * length);
     add_tube(pane.solids, arc, std::max(0.007 * options.unit, 1.1 * pixel), glm::vec4(ink, 1.0f));
+    keep_clear(pane, arc);
     marks.name(arc[arc.size() / 2], "worst " + with_decimals(*angle_degrees(u, v), 1) + "\u00B0");
 }
 

@@ -1,6 +1,5 @@
 #include "core/picture/derivation_marks.h"
 
-#include "core/frame/label_room.h"
 #include "core/frame/solids.h"
 
 #include <glm/common.hpp>
@@ -40,14 +39,14 @@ void add_derivation_marks(Pane& pane, const Scene& scene, const ProbeInWorld& pr
                                                                     : kInverseTransposeColor;
         return stands_out && symbol_of(arrow) != stands_out->symbol ? muted(color, scene.theme) : color;
     };
-    LabelRoom room(pane, options.pixel_scale);
     const auto add = [&](const CarriedArrow& arrow, double wide) {
         const glm::vec4 color = glm::vec4(color_of(arrow), 1.0f);
         if (arrow.quiet)
             add_tube(pane.solids, std::array{arrow.base, arrow.base + drawn(arrow)}, 0.6 * pixel, color);
         else
             add_arrow(pane.solids, arrow.base, drawn(arrow), wide * radius, color);
-        room.keep_clear(arrow.base, arrow.base + drawn(arrow));
+        pane.strokes.push_back(
+            {arrow.base, arrow.base + drawn(arrow), arrow.quiet ? 0.0 : ArrowProportions::kHeadRadius * wide * radius});
     };
     for (std::size_t i = 0; i < shown.arrows.size(); ++i) {
         // Where one comes to lie on another both are seen: the later one goes around it, and ends a little before its tip.
@@ -63,13 +62,15 @@ void add_derivation_marks(Pane& pane, const Scene& scene, const ProbeInWorld& pr
         const CarriedArrow &a = shown.arrows[(*shown.right_angle)[0]], &b = shown.arrows[(*shown.right_angle)[1]];
         const double side = 0.2 * unit;
         const glm::dvec3 u = side * glm::normalize(a.vector), v = side * glm::normalize(b.vector);
-        add_tube(pane.solids, std::array{a.base + u, a.base + u + v, a.base + v}, 1.2 * pixel,
-                 glm::vec4(theme_colors(scene.theme).text, 1.0f));
+        const std::array corner{a.base + u, a.base + u + v, a.base + v};
+        add_tube(pane.solids, corner, 1.2 * pixel, glm::vec4(theme_colors(scene.theme).text, 1.0f));
+        keep_clear(pane, corner);
     }
     for (const CarriedArrow& arrow : shown.arrows) {
         const bool lies_on = options.marks.line->line == DerivationLine::SameDirection;
         const bool first = &arrow == shown.arrows.data();
-        room.put_beside(arrow.base + (lies_on && !first ? 0.5 : 1.0) * drawn(arrow), arrow.name, color_of(arrow));
+        pane.wanted.push_back(
+            {arrow.base + (lies_on && !first ? 0.5 : 1.0) * drawn(arrow), arrow.name, color_of(arrow)});
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/frame/axis_handles.h"
 #include "core/frame/drawn_arrows.h"
+#include "core/frame/label_room.h"
 #include "core/picture/flat_probe_marks.h"
 #include "core/picture/pinned_marks.h"
 
@@ -33,7 +34,6 @@ public:
           plane_(frame.flat->plane),
           cut_(*frame.flat->cut),
           board_(pane, plane_, options.pixel_scale),
-          room_(pane, options.pixel_scale),
           colors_(theme_colors(scene.theme)),
           paper_(glm::mix(colors_.background_top, colors_.background_bottom, 0.5f)),
           ghost_(scene.show.ghost && m.matrix() != glm::dmat4(1.0)) {}
@@ -44,14 +44,14 @@ public:
         if (scene_.show.axes) axes();
         curves();
         arrows();
-        add_flat_probe_marks(pane_, scene_, frame_, board_, room_, options_);
+        add_flat_probe_marks(pane_, scene_, frame_, board_, options_);
         for (std::size_t i = 0; i < frame_.pinned.size(); ++i) {
             if (!frame_.pinned[i]) continue;
             const glm::dvec2 at = plane_.place(frame_.pinned[i]->point);
             board_.disc(at, 4.5, colors_.text, kProbePoint);
-            room_.put_beside(plane_.at(at).xyz, std::to_string(i + 1), colors_.text);
+            pane_.wanted.push_back({plane_.at(at).xyz, std::to_string(i + 1), colors_.text});
         }
-        for (const End& end : ends_) room_.put_beside(plane_.at(end.at).xyz, end.name, end.color);
+        for (const WantedLabel& end : ends_) pane_.wanted.push_back(end);
     }
 
 private:
@@ -100,8 +100,9 @@ private:
                 board_.polygon(std::array{to - half * (way + up), to + half * (way - up), to + half * (way + up),
                                           to - half * (way - up)},
                                hot ? glm::mix(color, glm::vec3(1.0f), 0.35f) : color, kHandles);
-            ends_.push_back({to + half * way, std::string(1, "xyz"[handle.axis]), color});
-            room_.keep_clear(plane_.at(from).xyz, plane_.at(to + half * way).xyz);
+            const glm::dvec3 end = plane_.at(to + half * way).xyz;
+            ends_.push_back({end, std::string(1, "xyz"[handle.axis]), color});
+            pane_.strokes.push_back({plane_.at(from).xyz, end});
         }
     }
 
@@ -179,7 +180,7 @@ private:
         }
         const glm::dvec2 vector = length * glm::normalize(way);
         board_.arrow(base, vector, pen, arrow_look(kind), paper_);
-        room_.keep_clear(plane_.at(base).xyz, plane_.at(base + vector).xyz);
+        pane_.strokes.push_back({plane_.at(base).xyz, plane_.at(base + vector).xyz, 1.7 * pen.width * board_.pixel()});
     }
 
     Pane& pane_;
@@ -190,16 +191,10 @@ private:
     const FlatPlane& plane_;
     const FlatCut& cut_;
     FlatBoard board_;
-    LabelRoom room_;
     ThemeColors colors_;
     glm::vec3 paper_;
     bool ghost_;
-    struct End {
-        glm::dvec2 at;
-        std::string name;
-        glm::vec3 color;
-    };
-    std::vector<End> ends_;  ///< of the axes
+    std::vector<WantedLabel> ends_;  ///< of the axes
 };
 
 // As many lines as it takes for none to be wider than `most`.

@@ -35,15 +35,13 @@ std::string times(double factor) {
 
 class Marks {
 public:
-    Marks(Pane& pane, const Scene& scene, const Frame& frame, FlatBoard& board, LabelRoom& room,
-          const FrameOptions& options)
+    Marks(Pane& pane, const Scene& scene, const Frame& frame, FlatBoard& board, const FrameOptions& options)
         : pane_(pane),
           scene_(scene),
           probe_(*frame.probe),
           view_(*frame.flat),
           plane_(view_.plane),
           board_(board),
-          room_(room),
           highlight_(options.highlight),
           colors_(theme_colors(scene.theme)),
           paper_(glm::mix(colors_.background_top, colors_.background_bottom, 0.5f)),
@@ -68,7 +66,7 @@ public:
             legs(before_, n, std::nullopt, colors_.ghost);
             board_.arrow(before_, n, {2.4, colors_.ghost, layer}, ArrowLook::Hollow, paper_);
             named_.push_back({"n", {}, before_ + n, colors_.ghost});
-            keep_clear(before_, before_ + n);
+            keep_clear(before_, before_ + n, kHead * 2.4 * board_.pixel());
         }
         layer += 2;
         if (!probe_.affine && view_.truth)
@@ -107,7 +105,7 @@ public:
 
     /// At its tip each arrow says whose it is, and by how much it is off; those that lie on each other say it together.
     void names() {
-        for (const auto& [at, text, color] : times_) room_.put_beside(plane_.at(at).xyz, text, color);
+        for (const auto& [at, text, color] : times_) pane_.wanted.push_back({plane_.at(at).xyz, text, color});
         for (std::size_t i = 0; i < named_.size(); ++i) {
             std::string who = named_[i].who;
             bool said = false;
@@ -116,7 +114,8 @@ public:
                 said = said || k < i;
                 who += ", " + named_[k].who;
             }
-            if (!said) room_.put_beside(plane_.at(named_[i].tip).xyz, who + verdict(named_[i].n), named_[i].color);
+            if (!said)
+                pane_.wanted.push_back({plane_.at(named_[i].tip).xyz, who + verdict(named_[i].n), named_[i].color});
         }
     }
 
@@ -148,6 +147,7 @@ public:
     }
 
 private:
+    static constexpr double kHead = 1.7;  ///< half of a head's width, in widths of the shaft
     static constexpr glm::vec3 kGlow{0.94f, 0.89f, 0.26f};
     struct Named {
         std::string who;
@@ -207,7 +207,7 @@ private:
                       named.color, layer},
                      look, paper_);
         named.tip = centre_ + named.n;
-        keep_clear(centre_, named.tip);
+        keep_clear(centre_, named.tip, kHead * 4.6 * board_.pixel());
         named_.push_back(std::move(named));
     }
 
@@ -234,8 +234,9 @@ private:
         const glm::dvec2 along = glm::normalize(*view_.tangent);
         if (std::abs(glm::dot(along, up)) > 1e-9) return;  // as of tangents that went by a mistake
         const double side = 0.2 * length_;
-        board_.line(std::array{centre_ - side * along, centre_ + side * (up - along), centre_ + side * up},
-                    {1.8, probe_.affine ? kInverseTransposeColor : colors_.text, kAngles});
+        const std::array corner{centre_ - side * along, centre_ + side * (up - along), centre_ + side * up};
+        board_.line(corner, {1.8, probe_.affine ? kInverseTransposeColor : colors_.text, kAngles});
+        for (std::size_t i = 1; i < corner.size(); ++i) keep_clear(corner[i - 1], corner[i]);
     }
 
     std::string verdict(glm::dvec2 n) const {
@@ -245,7 +246,9 @@ private:
         return ": " + with_decimals(*angle_degrees({truth, 0.0}, {n, 0.0}), 1) + "\u00B0 off";
     }
 
-    void keep_clear(glm::dvec2 a, glm::dvec2 b) { room_.keep_clear(plane_.at(a).xyz, plane_.at(b).xyz); }
+    void keep_clear(glm::dvec2 a, glm::dvec2 b, double half_width = 0.0) {
+        pane_.strokes.push_back({plane_.at(a).xyz, plane_.at(b).xyz, half_width});
+    }
 
     Pane& pane_;
     const Scene& scene_;
@@ -253,7 +256,6 @@ private:
     const FlatView& view_;
     const FlatPlane& plane_;
     FlatBoard& board_;
-    LabelRoom& room_;
     std::optional<Highlight> highlight_;
     ThemeColors colors_;
     glm::vec3 paper_;
@@ -271,10 +273,10 @@ double flat_probe_length(const FlatBoard& board, const Scene& scene, const Frame
     return std::max(5.0 * options.unit * scene.arrows.length, 80.0 * board.pixel());
 }
 
-void add_flat_probe_marks(Pane& pane, const Scene& scene, const Frame& frame, FlatBoard& board, LabelRoom& room,
+void add_flat_probe_marks(Pane& pane, const Scene& scene, const Frame& frame, FlatBoard& board,
                           const FrameOptions& options) {
     if (!frame.probe) return;
-    Marks marks(pane, scene, frame, board, room, options);
+    Marks marks(pane, scene, frame, board, options);
     marks.symbols();
     marks.tangent();
     if (!scene.show.probe) return;

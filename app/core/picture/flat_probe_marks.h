@@ -1,7 +1,6 @@
 #pragma once
 
 #include "core/frame/frame_options.h"
-#include "core/frame/label_room.h"
 #include "core/picture/flat_board.h"
 
 #include <vector>
@@ -29,7 +28,7 @@ double flat_probe_length(const FlatBoard& board, const Scene& scene, const Frame
 
 /// Adds one tangent, the normals as long beside each other as they come out, with their x and y legs and what each is
 /// multiplied by, the angle, the verdicts, and the symbols of the equations.
-void add_flat_probe_marks(Pane& pane, const Scene& scene, const Frame& frame, FlatBoard& board, LabelRoom& room,
+void add_flat_probe_marks(Pane& pane, const Scene& scene, const Frame& frame, FlatBoard& board,
                           const FrameOptions& options);
 
 }  // namespace normalscope

@@ -21,16 +21,16 @@ void add_axes(Pane& pane, const Scene& scene, const glm::dvec3& extent, const Fr
             std::max(0.010 * options.unit, 1.4 * options.pixel_scale * pane.view.world_per_pixel(handle.origin));
         const glm::dvec3 knob = handle.knob().xyz;
         add_tube(pane.solids, std::array{handle.origin.xyz, knob}, thickness, glm::vec4(color, 1.0f));
-        pane.lines.push_back({handle.origin.xyz, knob});
+        pane.strokes.push_back({handle.origin.xyz, knob, thickness});
         const double half = (hot ? 8.5 : 6.5) * options.pixel_scale * pane.view.world_per_pixel(handle.knob());
         if (options.handles)
             add_cube(pane.solids, knob, handle.unit.xyz, half,
                      glm::vec4(hot ? glm::mix(color, glm::vec3(1.0f), 0.35f) : color, 1.0f));
-        const glm::dvec3 at =
-            pane.view.pixel({knob + 2.6 * half * glm::normalize(handle.unit.xyz) * (handle.factor < 0.0 ? -1.0 : 1.0)});
-        if (at.z > 0.0)
-            pane.labels.push_back({Label::Role::Axis, glm::vec2(pane.rect.origin) + glm::vec2(at),
-                                   std::string(1, "xyz"[handle.axis]), color});
+        const double sense = handle.factor < 0.0 ? -1.0 : 1.0;
+        pane.wanted.push_back({.at = knob + sense * 2.6 * half * glm::normalize(handle.unit.xyz),
+                               .text = std::string(1, "xyz"[handle.axis]),
+                               .color = color,
+                               .there = true});
     }
 }
 

@@ -1,6 +1,7 @@
 #include "core/picture/make_frame.h"
 
 #include "core/frame/drawn_arrows.h"
+#include "core/frame/label_room.h"
 #include "core/frame/picture_scale.h"
 #include "core/frame/solids.h"
 #include "core/picture/decomposition_marks.h"
@@ -56,16 +57,14 @@ NormalMap scaled_for_floats(NormalMap map) {
 }
 
 std::vector<Pane> empty_panes(const Scene& scene, const PixelRect& rect) {
-    if (scene.view != ViewMode::Split)
-        return {Pane{rect, scene.rule, CameraView(scene.camera, rect.size), {}, {}, {}, {}, {}, {}, {}}};
+    if (scene.view != ViewMode::Split) return {Pane{rect, scene.rule, CameraView(scene.camera, rect.size)}};
     const int left = rect.size.x / 2;
     const PixelRect halves[]{{rect.origin, {left, rect.size.y}},
                              {rect.origin + glm::ivec2(left, 0), {rect.size.x - left, rect.size.y}}};
     std::vector<Pane> panes;
     for (const Rule rule : pane_rules(scene)) {
         const PixelRect& half = halves[panes.size()];
-        panes.push_back(
-            Pane{half, rule, CameraView(scene.camera, glm::max(half.size, glm::ivec2(1))), {}, {}, {}, {}, {}, {}, {}});
+        panes.push_back(Pane{half, rule, CameraView(scene.camera, glm::max(half.size, glm::ivec2(1)))});
     }
     return panes;
 }
@@ -160,11 +159,11 @@ void add_arrows(Pane& pane, const Scene& scene, const WorldFromObject& m, const 
 
 // Arrows that are few enough to be told apart.
 void keep_clear_of_arrows(Pane& pane, std::span<const Site> sites) {
-    constexpr std::size_t kFew = 100;
-    if (sites.size() > kFew) return;
+    if (sites.size() > 400) return;
     for (const ArrowDraw& draw : pane.arrows)
         for (const Site& site : sites)
-            if (const auto ends = ends_of(draw, site)) pane.lines.push_back(*ends);
+            if (const auto ends = ends_of(draw, site))
+                keep_clear(pane, *ends, ArrowProportions::kHeadRadius * draw.radius);
 }
 
 // Where there is nothing there is no shadow of it: all of the ground lies far outside.
@@ -309,8 +308,9 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         frame.panes = empty_panes(scene, options.rect);
         add_flat_view(frame, scene, m, options);
         if (scene.show.legend) add_legend(frame, scene, m);
+        add_step_labels(frame.panes.front(), scene, m, options);
         end_flat_view(frame, options);
-        for (Pane& pane : frame.panes) add_step_labels(pane, scene, m, options);
+        place_labels(frame.panes.front(), frame.surface->mesh, m, options.pixel_scale);
         return frame;
     }
     if (scene.show.grid) frame.ground_height = ground_height(frame.surface->mesh, m, ghost, options.unit);
@@ -337,6 +337,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         if (scene.show.stretch_axes) add_decomposition_marks(pane, scene, frame.surface->mesh, m, options);
         add_pinned_marks(pane, scene, frame, options);
         add_step_labels(pane, scene, m, options);
+        place_labels(pane, frame.surface->mesh, m, options.pixel_scale);
         if (scene.view == ViewMode::Split) add_title(pane, scene);
     }
     if (scene.show.legend) add_legend(frame, scene, m);

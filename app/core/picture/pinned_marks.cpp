@@ -1,6 +1,5 @@
 #include "core/picture/pinned_marks.h"
 
-#include "core/frame/label_room.h"
 #include "core/frame/solids.h"
 #include "core/surface/surface_probe.h"
 
@@ -28,7 +27,6 @@ void add_pinned_marks(Pane& pane, const Scene& scene, const Frame& frame, const 
     const auto& pinned = frame.pinned;
     const bool solid = frame.surface->mesh.closed;
     const glm::vec3 ink = theme_colors(scene.theme).text;
-    LabelRoom room(pane, options.pixel_scale);
     for (std::size_t i = 0; i < pinned.size(); ++i) {
         if (!pinned[i]) continue;
         const glm::dvec3 at = pinned[i]->point.xyz;
@@ -36,7 +34,7 @@ void add_pinned_marks(Pane& pane, const Scene& scene, const Frame& frame, const 
         // Of a dot behind a solid nothing is seen, and its number would seem to be in front.
         const auto& outward = pinned[i]->truth;
         const bool behind = solid && outward && glm::dot(outward->xyz, pane.view.eye().xyz - at) < 0.0;
-        if (!behind) room.put_beside(at, std::to_string(i + 1), ink);
+        if (!behind) pane.wanted.push_back({at, std::to_string(i + 1), ink});
     }
 }
 

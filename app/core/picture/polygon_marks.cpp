@@ -1,6 +1,5 @@
 #include "core/picture/polygon_marks.h"
 
-#include "core/frame/label_room.h"
 #include "core/frame/solids.h"
 
 #include <glm/geometric.hpp>
@@ -37,9 +36,9 @@ public:
         if (options_.marks.line) return add_tube(pane_.solids, ring, pixel, glm::vec4(color, 1.0f), true);
         for (std::size_t i = 0; i < ring.size(); ++i) {
             const glm::dvec3 &from = ring[i], &to = ring[(i + 1) % ring.size()];
-            add_arrow(pane_.solids, from, to - from, wide * std::max(0.011 * options_.unit, 1.7 * pixel),
-                      glm::vec4(color, 1.0f));
-            pane_.lines.push_back({from, to});  // of which words keep clear
+            const double radius = wide * std::max(0.011 * options_.unit, 1.7 * pixel);
+            add_arrow(pane_.solids, from, to - from, radius, glm::vec4(color, 1.0f));
+            pane_.strokes.push_back({from, to, ArrowProportions::kHeadRadius * radius});
         }
     }
 
@@ -47,7 +46,7 @@ public:
     void name(std::span<const glm::dvec3> corners, const std::string& text, const glm::vec3& color) {
         const auto lowest = std::ranges::max_element(
             corners, {}, [&](const glm::dvec3& corner) { return pane_.view.pixel({corner}).y; });
-        LabelRoom(pane_, options_.pixel_scale).put_beside(*lowest, text, color);
+        pane_.wanted.push_back({*lowest, text, color});
     }
 
 private:

@@ -3,7 +3,6 @@
 #include "core/base/decimal.h"
 #include "core/frame/arcs.h"
 #include "core/frame/frame_options.h"
-#include "core/frame/label_room.h"
 #include "core/frame/solids.h"
 
 #include <glm/common.hpp>
@@ -11,6 +10,7 @@
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <string_view>
@@ -130,7 +130,7 @@ public:
         // Lifted a little, or it would flicker against the surface that it touches.
         const double side = glm::dot(plane_->normal, pane_.view.eye().xyz - centre_) < 0.0 ? -1.0 : 1.0;
         const glm::dvec3 lifted = centre_ + side * 0.012 * options_.unit * plane_->normal;
-        keep_clear(std::array{lifted - u - v, lifted + u - v, lifted + u + v, lifted - u + v, lifted - u - v});
+        keep_clear(pane_, std::array{lifted - u - v, lifted + u - v, lifted + u + v, lifted - u + v, lifted - u - v});
         const bool pointed_at = options_.highlight && options_.highlight->symbol == Symbol::Zero;
         add_patch(pane_.translucent, lifted, u, v, pointed_at ? kGlow : glm::vec4(kTangentColor, 0.20f));
         const std::array rim{lifted - u - v, lifted + u - v, lifted + u + v, lifted - u + v};
@@ -139,19 +139,20 @@ public:
             if (!(glm::length(t.xyz) > 0.0)) continue;
             const glm::dvec3 along = 0.6 * length_ * glm::normalize(t.xyz);
             add_arrow(pane_.solids, centre_, along, 0.6 * radius_, blue);
-            keep_clear(std::array{centre_, centre_ + along});
+            keep_clear(pane_, std::array{centre_, centre_ + along}, 0.6 * kHead * radius_);
         }
     }
 
     void arrows() {
         // Not as long as beside a large object far away.
         const double most = 2.0 * long_as(pane_, scene_, probe_.object.point.xyz, 1.0, options_.pixel_scale);
-        if (shows(ArrowKind::Object) && scene_.show.ghost)
-            add_arrow(
-                pane_.solids, probe_.object.point.xyz, std::min(length_, most) * probe_.object.normal.xyz,
-                ArrowProportions::kOfObject * radius_,
-                glm::vec4(color_of({.symbol = Symbol::NObject}, arrow_color(ArrowKind::Object, scene_.theme)), 1.0f),
-                ArrowLook::Hollow, paper_);
+        if (shows(ArrowKind::Object) && scene_.show.ghost) {
+            const glm::dvec3 from = probe_.object.point.xyz, n = std::min(length_, most) * probe_.object.normal.xyz;
+            const glm::vec3 grey = color_of({.symbol = Symbol::NObject}, arrow_color(ArrowKind::Object, scene_.theme));
+            add_arrow(pane_.solids, from, n, ArrowProportions::kOfObject * radius_, glm::vec4(grey, 1.0f),
+                      ArrowLook::Hollow, paper_);
+            keep_clear(pane_, std::array{from, from + n}, kHead * ArrowProportions::kOfObject * radius_);
+        }
         add_ball(pane_.solids, centre_, 1.8 * radius_, glm::vec4(ink_, 1.0f));
         if (by_no_rule_) normal_by_no_rule(*by_no_rule_);
         for (const Rule rule : kRules)
@@ -176,7 +177,6 @@ public:
 
     /// At its tip each arrow says whose it is, and by how much it is off; those that lie on each other say it together.
     void names() {
-        LabelRoom room(pane_, options_.pixel_scale);
         for (std::size_t i = 0; i < named_.size(); ++i) {
             const Named& named = named_[i];
             const auto lies_on_it = [&](const Named& other) {
@@ -186,11 +186,12 @@ public:
             std::string who = named.who;
             for (std::size_t k = i + 1; k < named_.size(); ++k)
                 if (lies_on_it(named_[k])) who += ", " + named_[k].who;
-            room.put_beside(named.tip, who + verdict(named.n), named.color);
+            pane_.wanted.push_back({named.tip, who + verdict(named.n), named.color});
         }
     }
 
 private:
+    static constexpr double kHead = ArrowProportions::kHeadRadius;
     bool shows(ArrowKind kind) const { return std::ranges::count(kinds_, kind) > 0; }
     std::optional<glm::dvec3> unit_normal(Rule rule) const {
         const auto& n = probe_.normals[rule];
@@ -209,7 +210,7 @@ private:
     void normal_by_no_rule(const glm::dvec3& n) {
         add_arrow(pane_.solids, centre_, length_ * n, radius_, glm::vec4(ink_, 1.0f));
         named_.push_back({"n", n, centre_ + length_ * n, ink_});
-        keep_clear(std::array{centre_, centre_ + length_ * n});
+        keep_clear(pane_, std::array{centre_, centre_ + length_ * n}, kHead * radius_);
         if (scene_.show.tangent_plane && plane_) right_angle(n, glm::vec4(ink_, 1.0f));
     }
 
@@ -225,7 +226,7 @@ private:
         add_arrow(pane_.solids, centre_, (hidden ? 0.7 : 1.0) * length_ * n, wide * radius_, color,
                   arrow_look(arrow_kind(rule)), paper_);
         const glm::dvec3 tip = centre_ + length_ * n;
-        keep_clear(std::array{centre_, tip});
+        keep_clear(pane_, std::array{centre_, tip}, wide * kHead * radius_);
         const bool wrong_plane = about_tangents(scene_.mistake) && scene_.rule == Rule::Naive;
         if (!wrong_plane) named_.push_back({normal_formula(rule, scene_), n, tip, glm::vec3(color)});
         if (!scene_.show.tangent_plane || !plane_) return;
@@ -241,20 +242,24 @@ private:
                     {in_degrees(foot, n) + " to the tangents", {}, down[down.size() / 2], rule_color(rule)});
             return;
         }
-        add_tube(pane_.solids, std::array{centre_, centre_ + 0.9 * length_ * up}, line_, glm::vec4(ink_, 1.0f));
+        const std::array upward{centre_, centre_ + 0.9 * length_ * up};
+        add_tube(pane_.solids, upward, line_, glm::vec4(ink_, 1.0f));
+        keep_clear(pane_, upward);
         arc(up, n, 0.6, rule_color(rule));
     }
 
     void right_angle(const glm::dvec3& up, const glm::vec4& color) {
         const glm::dvec3 from = centre_ - 0.2 * length_ * plane_->u, rise = 0.2 * length_ * up;
-        add_tube(pane_.solids, std::array{from, from + rise, centre_ + rise}, line_, color);
+        const std::array corner{from, from + rise, centre_ + rise};
+        add_tube(pane_.solids, corner, line_, color);
+        keep_clear(pane_, corner);
     }
 
     // Between two unit vectors.
     std::vector<glm::dvec3> arc(const glm::dvec3& a, const glm::dvec3& b, double reach, const glm::vec3& color) {
         std::vector<glm::dvec3> points = arc_between(centre_, a, b, reach * length_);
         add_tube(pane_.solids, points, line_, glm::vec4(color, 1.0f));
-        keep_clear(points);
+        keep_clear(pane_, points);
         return points;
     }
 
@@ -262,10 +267,6 @@ private:
     std::string verdict(const glm::dvec3& n) const {
         if (!truth_ || n == glm::dvec3(0.0)) return {};
         return parallel(*truth_, n) ? " \u22A5 surface" : ": " + in_degrees(*truth_, n) + " off";
-    }
-
-    void keep_clear(std::span<const glm::dvec3> path) {
-        for (std::size_t i = 1; i < path.size(); ++i) pane_.lines.push_back({path[i - 1], path[i]});
     }
 
     static std::string in_degrees(const glm::dvec3& a, const glm::dvec3& b) {

@@ -29,8 +29,7 @@ public:
           step_(std::min(scene.ray->step, ray.last_step)),
           colors_(theme_colors(scene.theme)),
           scale_(options.pixel_scale),
-          unit_(options.unit),
-          room_(pane, options.pixel_scale) {
+          unit_(options.unit) {
         pixel_ = scale_ * pane.view.world_per_pixel(ray.point_world.value_or(ray.world.origin));
     }
 
@@ -39,8 +38,9 @@ public:
         // Where one hides the other, the words would, too.
         if (object.z <= 0.0 || world.z <= 0.0 || glm::distance(glm::dvec2(object), glm::dvec2(world)) < 110.0 * scale_)
             return;
-        room_.put_at(glm::dvec2(object), "object space", Label::Role::Axis, colors_.ghost);
-        room_.put_at(glm::dvec2(world), "world", Label::Role::Axis, colors_.text);
+        LabelRoom room(pane_, scale_);
+        room.put_at(glm::dvec2(object), "object space", Label::Role::Axis, colors_.ghost);
+        room.put_at(glm::dvec2(world), "world", Label::Role::Axis, colors_.text);
     }
 
     void world() {
@@ -92,6 +92,7 @@ public:
         if (angle < 1.0 || angle > 179.0) return;
         const std::vector<glm::dvec3> arc = arc_between(p, unit, l, 0.6 * unit_ * kNormal);
         add_tube(pane_.solids, arc, std::max(0.007 * unit_, 1.1 * pixel_), glm::vec4(colors_.text, 1.0f));
+        keep_clear(pane_, arc);
         word(arc[arc.size() / 2],
              (*ray_.brightness < 0.0 ? "n\u00B7l = \u2212" : "n\u00B7l = ") +
                  with_decimals(std::abs(*ray_.brightness), 3),
@@ -100,14 +101,13 @@ public:
 
     // The last step's first: they are what one looks for.
     void words() {
-        for (auto word = words_.rbegin(); word != words_.rend(); ++word)
-            room_.put_beside(word->at, word->text, word->color);
+        for (auto word = words_.rbegin(); word != words_.rend(); ++word) pane_.wanted.push_back(*word);
     }
 
 private:
     void arrow(const glm::dvec3& base, const glm::dvec3& vector, double radius, const glm::vec3& color) {
         add_arrow(pane_.solids, base, vector, radius, glm::vec4(color, 1.0f));
-        room_.keep_clear(base, base + vector);
+        pane_.strokes.push_back({base, base + vector, ArrowProportions::kHeadRadius * radius});
     }
     double thick(double factor) const { return std::max(0.018 * unit_ * factor, 1.7 * factor * pixel_); }
 
@@ -119,8 +119,9 @@ private:
         // Beyond the hit there is nothing to follow.
         const glm::dvec3 last = o + (hit ? end : std::max(end, 1.2)) * d;
         add_tube(pane_.solids, std::array{o, last}, radius, ink);
-        room_.keep_clear(o, last);
+        pane_.strokes.push_back({o, last, radius});
         add_arrow(pane_.solids, o, d, 1.9 * radius, ink);
+        pane_.strokes.push_back({o, o + d, 1.9 * ArrowProportions::kHeadRadius * radius});
         for (int k = 2; k < end && k < kMostBeads; ++k) add_ball(pane_.solids, o + double(k) * d, 2.4 * radius, ink);
     }
 
@@ -129,19 +130,13 @@ private:
         words_.push_back({at, text, color});
     }
 
-    struct Word {
-        glm::dvec3 at;
-        std::string text;
-        glm::vec3 color;
-    };
     Pane& pane_;
     const RaySteps& ray_;
     int step_;
     ThemeColors colors_;
     float scale_;
     double unit_, pixel_ = 0.0;
-    LabelRoom room_;
-    std::vector<Word> words_;
+    std::vector<WantedLabel> words_;
 };
 
 }  // namespace

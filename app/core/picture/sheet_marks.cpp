@@ -1,7 +1,6 @@
 #include "core/picture/sheet_marks.h"
 
 #include "core/base/decimal.h"
-#include "core/frame/label_room.h"
 #include "core/frame/solids.h"
 #include "core/math/sheets.h"
 
@@ -11,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,13 +25,13 @@ constexpr double kHardly = 0.3;  ///< of a sheet: an axis along which a step of 
 /// What stands in one space: the object's by the identity, the world's by M.
 class Stack {
 public:
-    Stack(Pane& pane, const Probe& probe, double radius, const FrameOptions& options)
+    Stack(Pane& pane, const Probe& probe, double radius, const FrameOptions& options, Theme theme)
         : pane_(pane),
           probe_(probe_with(probe.point, probe.normal)),
           spacing_(kSpacing * radius),
           half_(kHalf * radius),
           options_(options),
-          room_(pane, options.pixel_scale) {}
+          theme_(theme) {}
 
     /// Two sides of each sheet lie along the probe's tangents.
     void sheets(const Transform<World, Object>& m, const glm::vec3& color) {
@@ -42,6 +42,8 @@ public:
             add_patch(pane_.translucent, centre, u, v, glm::vec4(color, 0.22f));
             const std::array rim{centre - u - v, centre + u - v, centre + u + v, centre - u + v};
             add_tube(pane_.solids, rim, 0.8 * pixel(centre), glm::vec4(color, 1.0f), true);
+            for (std::size_t i = 0; i < rim.size(); ++i) pane_.strokes.push_back({rim[i], rim[(i + 1) % rim.size()]});
+            pane_.areas.emplace_back(rim.begin(), rim.end());
         }
     }
 
@@ -54,29 +56,26 @@ public:
         };
         const auto& [first, second] = probe_.tangents;
         const glm::dvec3 tangent = m(across(first) > across(second) ? first : second).xyz;
-        step(from, {spacing_ / glm::length(tangent) * tangent}, 0.0, " along the surface", kTangentColor);
+        step(from, {spacing_ / glm::length(tangent) * tangent}, 0.0, " along the surface",
+             unless_muted(Symbol::VWorld, kTangentColor));
         for (int axis = 0; axis < 3; ++axis) {
             if (std::abs(probe_.normal.xyz[axis]) < kHardly) continue;
             Vector<World> along{glm::dvec3(0.0)};
             along.xyz[axis] = n.xyz[axis] < 0.0 ? -spacing_ : spacing_;
             const double crossed = sheets_crossed(n, along, spacing_);
             step(from, along, crossed, std::string(" along ") + (along.xyz[axis] < 0.0 ? "\u2212" : "") + "xyz"[axis],
-                 ink);
+                 unless_muted(std::nullopt, ink));
         }
-        clear_of(from, n);
-    }
-
-    /// Words had better not cross that arrow.
-    void clear_of(Point<World> from, Normal<World> n) {
-        if (glm::length(n.xyz) > 0.0) room_.keep_clear(from.xyz, from.xyz + 2.0 * spacing_ * glm::normalize(n.xyz));
-    }
-
-    /// At last: what each step crosses, where it hides none of them.
-    void words() {
-        for (const Word& word : words_) room_.put_beside(word.at, word.text, word.color);
     }
 
 private:
+    // Of the tangent's step, or of those along the axes, beside what a lesson lets stand out.
+    glm::vec3 unless_muted(std::optional<Symbol> symbol, const glm::vec3& color) const {
+        const auto& stands_out = options_.marks.highlight;
+        const bool tangent =
+            stands_out && (stands_out->symbol == Symbol::VObject || stands_out->symbol == Symbol::VWorld);
+        return !stands_out || (symbol && tangent) ? color : muted(color, theme_);
+    }
     double pixel(const glm::dvec3& at) const { return options_.pixel_scale * pane_.view.world_per_pixel({at}); }
 
     // With a dot where it goes through a sheet.
@@ -86,21 +85,16 @@ private:
         add_arrow(pane_.solids, from.xyz, along.xyz, thin, glm::vec4(color, 1.0f));
         for (int k = 1; k < kSheets && k <= crossed + 1e-9; ++k)
             add_ball(pane_.solids, from.xyz + k / crossed * along.xyz, 3.4 * thin, glm::vec4(color, 1.0f));
-        room_.keep_clear(from.xyz, from.xyz + along.xyz);
-        words_.push_back({from.xyz + along.xyz, (crossed == 0.0 ? "0" : with_decimals(crossed, 2)) + words, color});
+        pane_.strokes.push_back({from.xyz, from.xyz + along.xyz, ArrowProportions::kHeadRadius * thin});
+        pane_.wanted.push_back(
+            {from.xyz + along.xyz, (crossed == 0.0 ? "0" : with_decimals(crossed, 2)) + words, color});
     }
 
     Pane& pane_;
     Probe probe_;  ///< with tangents of unit length
     double spacing_, half_;
     const FrameOptions& options_;
-    LabelRoom room_;
-    struct Word {
-        glm::dvec3 at;
-        std::string text;
-        glm::vec3 color;
-    };
-    std::vector<Word> words_;
+    Theme theme_;
 };
 
 }  // namespace
@@ -111,10 +105,7 @@ void add_sheet_marks(Pane& pane, const Scene& scene, const Frame& frame,
     const Probe& probe = frame.probe->object;
     const Transform<World, Object> here = world_from_object.at(probe.point);  // what it does next to the probe
     const glm::dvec3 extent = frame.surface->extent;
-    Stack stack(pane, probe, std::max({extent.x, extent.y, extent.z}), options);
-    const auto kinds = shown_arrows(scene, pane.rule);
-    if (const auto& naive = frame.probe->normals[Rule::Naive]; naive && std::ranges::count(kinds, ArrowKind::Naive) > 0)
-        stack.clear_of(frame.probe->point, *naive);
+    Stack stack(pane, probe, std::max({extent.x, extent.y, extent.z}), options, scene.theme);
     stack.sheets(here, kInverseTransposeColor);
     if (const auto n = here(probe.normal)) stack.steps(frame.probe->point, *n, here, theme_colors(scene.theme).text);
     if (ghost) {
@@ -123,7 +114,6 @@ void add_sheet_marks(Pane& pane, const Scene& scene, const Frame& frame,
         stack.sheets(still, grey);
         stack.steps(still(probe.point), *still(probe.normal), still, grey);
     }
-    stack.words();
 }
 
 }  // namespace normalscope

@@ -1,7 +1,6 @@
 #include "core/picture/singular_marks.h"
 
 #include "core/frame/frame_options.h"
-#include "core/frame/label_room.h"
 #include "core/frame/solids.h"
 
 #include <glm/geometric.hpp>
@@ -37,7 +36,6 @@ void add_singular_marks(Pane& pane, const Scene& scene, const SingularPoint& sin
     const double pixel = options.pixel_scale * pane.view.world_per_pixel(at);
     const double length = 0.8 * std::max(4.6 * options.unit * scene.arrows.length, 70.0 * pixel);
     const glm::vec3 ink = theme_colors(scene.theme).text, color = rule_color(pane.rule);
-    LabelRoom room(pane, options.pixel_scale);
     std::optional<glm::dvec3> lent;  // the tip of the normal that is borrowed
 
     if (const auto map = normal_map(scene, world_from_object, pane.rule)) {
@@ -56,7 +54,7 @@ void add_singular_marks(Pane& pane, const Scene& scene, const SingularPoint& sin
         const double radius = std::max(0.010 * options.unit, 1.25 * pixel);
         for (const glm::dvec3& n : thinned(fan)) {
             add_arrow(pane.solids, at.xyz, length * n, radius, glm::vec4(color, 1.0f));
-            room.keep_clear(at.xyz, at.xyz + length * n);
+            pane.strokes.push_back({at.xyz, at.xyz + length * n, ArrowProportions::kHeadRadius * radius});
         }
         if (singular.lender) {
             const Point<World> from = world_from_object(singular.lender->point);
@@ -67,15 +65,15 @@ void add_singular_marks(Pane& pane, const Scene& scene, const SingularPoint& sin
                 // Longer than the fan's, which it would be lost among.
                 lent = from.xyz + 1.35 * length * glm::normalize(n);
                 add_arrow(pane.solids, from.xyz, *lent - from.xyz, 2.0 * radius, glm::vec4(color, 1.0f));
-                room.keep_clear(from.xyz, *lent);
+                pane.strokes.push_back({from.xyz, *lent, 2.0 * ArrowProportions::kHeadRadius * radius});
             }
         }
     }
     add_ball(pane.solids, at.xyz, 4.2 * pixel, glm::vec4(ink, 1.0f));
     const glm::dvec3 beside = at.xyz + (1.05 * length) * pane.view.right().xyz;
-    if (lent) room.put_beside(*lent, "borrowed from this neighbour", color);
-    room.put_beside(beside,
-                    singular.undefined ? "no normal here: \u2207f does not exist" : "no normal here: \u2207f = 0", ink);
+    if (lent) pane.wanted.push_back({*lent, "borrowed normal", color});
+    pane.wanted.push_back(
+        {beside, singular.undefined ? "no normal here: \u2207f does not exist" : "no normal here: \u2207f = 0", ink});
 }
 
 }  // namespace normalscope

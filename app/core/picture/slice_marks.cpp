@@ -11,8 +11,10 @@
 #include <glm/vector_relational.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,7 @@ constexpr BandColors band_colors(Theme theme) {
     if (is_dark(theme)) return {rgb(0x8D7650), rgb(0x4A3B22), rgb(0x5E7487), rgb(0x243442)};
     return {rgb(0xF3E2BF), rgb(0xC0924E), rgb(0xDDE8F0), rgb(0x7593AB)};
 }
+constexpr std::array kNamedLevels{0, 1, -1, 2, -2, 4, 8};
 constexpr int kDeepest = 8;  // bands from zero to the deepest colour
 
 // Flat, in a plane, and as wide as `half` on either side.
@@ -46,12 +49,7 @@ std::string level_text(double c) { return (c < 0.0 ? "\u2212" : "") + with_digit
 class Marks {
 public:
     Marks(Pane& pane, const Scene& scene, const LevelSets& sets, const FrameOptions& options)
-        : pane_(pane),
-          sets_(sets),
-          theme_(scene.theme),
-          scale_(options.pixel_scale),
-          unit_(options.unit),
-          room_(pane, options.pixel_scale) {}
+        : pane_(pane), sets_(sets), theme_(scene.theme), scale_(options.pixel_scale), unit_(options.unit) {}
 
     // False where M leaves no plane of it.
     bool stand(const Transform<World, Object>& m) {
@@ -109,38 +107,54 @@ public:
             const double length = longest * std::sqrt(std::min(1.0, lengths[i] / *high));
             const glm::dvec3 base = at(sets_.gradients[i].base.xyz),
                              arrow = (shrink * length / lengths[i]) * map(sets_.gradients[i].gradient).xyz;
-            room_.keep_clear(base, base + arrow);
-            add_arrow(pane_.solids, base, arrow, std::min(0.07 * length, std::max(0.013 * unit_, 1.9 * pixel_)),
+            const double radius = std::min(0.07 * length, std::max(0.013 * unit_, 1.9 * pixel_));
+            arrows_.push_back({{base, base + arrow, ArrowProportions::kHeadRadius * radius}, color});
+        }
+    }
+
+    /// Away from the arrows where they can be, and what still lies under a word is left out.
+    void words() {
+        LabelRoom room(pane_, scale_);
+        for (const Arrow& arrow : arrows_) room.keep_clear(arrow.stroke);
+        put_words(room);
+        std::erase_if(arrows_, [&](const Arrow& arrow) { return room.meets_word(arrow.stroke); });
+    }
+
+    void draw_arrows() {
+        for (const auto& [stroke, color] : arrows_) {
+            pane_.strokes.push_back(stroke);
+            add_arrow(pane_.solids, stroke.a, stroke.b - stroke.a, stroke.half_width / ArrowProportions::kHeadRadius,
                       glm::vec4(color, 1.0f));
         }
     }
 
-    void words() {
+private:
+    void put_words(LabelRoom& room) {
         const glm::vec3 text = theme_colors(theme_).text;
         const auto side = [&](const std::optional<glm::dvec3>& where, const char* name) {
             if (!where) return;
             const glm::dvec3 p = pixel(*where);
-            if (p.z > 0.0) room_.put_at(glm::dvec2(p), name, Label::Role::Side, text);
+            if (p.z > 0.0) room.put_at(glm::dvec2(p), name, Label::Role::Side, text);
         };
         side(sets_.inside, "inside  f < 0");
         side(sets_.outside, "outside  f > 0");
-        for (const int level : {0, 1, -1, 2, -2, 4, 8}) {
+        // Where arrows are, the fewer words the fewer of them must go.
+        const std::size_t levels = arrows_.empty() ? kNamedLevels.size() : 3;
+        for (const int level : std::span(kNamedLevels).first(levels)) {
             const std::string name = level == 0 ? "f = 0" : level_text(level * sets_.step);
-            if (const auto where = place_for(level, name)) room_.put_at(*where, name, Label::Role::Level, text);
+            if (const auto where = place_for(room, level, name)) room.put_at(*where, name, Label::Role::Level, text);
         }
     }
-
-private:
     glm::dvec3 at(const glm::dvec3& p) const { return m_(Point<Object>{p}).xyz; }
     glm::dvec3 pixel(const glm::dvec3& p) const { return pane_.view.pixel({at(p)}); }
 
     // On the level's line, which the word's box breaks: away from the arrows and other words, rather below and to the
     // left, so that the levels stand in order.
-    std::optional<glm::dvec2> place_for(int level, const std::string& name) const {
+    std::optional<glm::dvec2> place_for(const LabelRoom& room, int level, const std::string& name) const {
         constexpr std::size_t kMostPlaces = 200;  // among the lines' ends and middles
         const auto count = static_cast<std::size_t>(std::ranges::count(sets_.lines, level, &LevelSets::Line::level));
         const std::size_t every = 1 + 2 * count / kMostPlaces;
-        const glm::dvec2 half = room_.half_size(name, Label::Role::Level), size(pane_.rect.size);
+        const glm::dvec2 half = room.half_size(name, Label::Role::Level), size(pane_.rect.size);
         const double clear = 1.3 * half.x;
         std::optional<glm::dvec2> best;
         double most = -1e300;
@@ -149,10 +163,10 @@ private:
             const glm::dvec3 where = pixel(place), from = place - sets_.middle;
             const glm::dvec2 p(where);
             if (!(where.z > 0.0) || glm::any(glm::lessThan(p, half)) || glm::any(glm::lessThan(size - half, p)) ||
-                !room_.is_free(p, name, Label::Role::Level))
+                !room.is_free(p, name, Label::Role::Level))
                 return;
             const double along = -0.8 * glm::dot(from, sets_.across[0]) - 0.6 * glm::dot(from, sets_.across[1]);
-            const double score = along / sets_.reach + 2.0 * std::min(room_.clearance(p) / clear, 1.0);
+            const double score = along / sets_.reach + 2.0 * std::min(room.clearance(p) / clear, 1.0);
             if (score > most) best = p, most = score;
         };
         for (const LevelSets::Line& line : sets_.lines) {
@@ -169,7 +183,11 @@ private:
     double scale_, unit_, stretch_ = 1.0, pixel_ = 0.0;
     Transform<World, Object> m_;
     glm::dvec3 normal_{0.0};
-    LabelRoom room_;
+    struct Arrow {
+        Stroke stroke;
+        glm::vec3 color;
+    };
+    std::vector<Arrow> arrows_;
 };
 
 }  // namespace
@@ -190,12 +208,14 @@ void add_slice(Pane& pane, const Scene& scene, const LevelSets& sets, const Tran
         marks.lines(grey);
         if (std::ranges::count(kinds, ArrowKind::Object) > 0) marks.arrows({}, grey, 0.8);
     }
-    if (!marks.stand(world_from_object)) return;
-    marks.bands();
-    marks.lines(std::nullopt);
-    if (const auto map = normal_map(scene, world_from_object, pane.rule))
-        marks.arrows(*map, rule_color(pane.rule), 1.0);
-    marks.words();
+    if (marks.stand(world_from_object)) {
+        marks.bands();
+        marks.lines(std::nullopt);
+        if (const auto map = normal_map(scene, world_from_object, pane.rule))
+            marks.arrows(*map, rule_color(pane.rule), 1.0);
+        marks.words();
+    }
+    marks.draw_arrows();
 }
 
 }  // namespace normalscope

@@ -1,14 +1,11 @@
 #include "core/picture/step_labels.h"
 
 #include "core/base/overload.h"
-#include "core/frame/label_room.h"
 
 namespace normalscope {
 
 void add_step_labels(Pane& pane, const Scene& scene, const Transform<World, Object>& world_from_object,
                      const FrameOptions& options) {
-    if (options.marks.labels.empty()) return;
-    LabelRoom room(pane, options.pixel_scale);
     for (const PointLabel& label : options.marks.labels) {
         const auto at = std::visit(
             Overload{[](const Point<World>& p) { return std::optional(p); },
@@ -16,7 +13,7 @@ void add_step_labels(Pane& pane, const Scene& scene, const Transform<World, Obje
                          return world_from_object.reaches(p) ? std::optional(world_from_object(p)) : std::nullopt;
                      }},
             label.at);
-        if (at) room.put_beside(at->xyz, label.text, theme_colors(scene.theme).text);
+        if (at) pane.wanted.push_back({at->xyz, label.text, theme_colors(scene.theme).text});
     }
 }
 

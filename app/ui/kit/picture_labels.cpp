@@ -1,12 +1,17 @@
 #include "ui/kit/picture_labels.h"
 
+#include "core/frame/label_room.h"
+#include "ui/kit/color_key.h"
 #include "ui/kit/icons.h"
 
+#include <imgui_internal.h>  // ImTextCharFromUtf8
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,10 +20,27 @@ namespace normalscope {
 
 namespace {
 
-constexpr float kLegendInLecture = 0.42f;  // of the picture, where words are large: it is not to hide what it explains
+constexpr float kLegendInLecture =
+    0.42f;  // of the picture, where words are large: rather than wider it is without names
 
 ImVec2 extent(const ImFont* font, std::string_view text) {
     return font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.data(), text.data() + text.size());
+}
+
+struct Box {
+    ImVec2 low, high;
+};
+bool meet(const Box& a, const Box& b) {
+    return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+bool has_letters(const ImFont* font, const std::string& text) {
+    for (const char* at = text.data(); at < text.data() + text.size();) {
+        unsigned letter = 0;
+        at += ImTextCharFromUtf8(&letter, at, text.data() + text.size());
+        if (!font->FindGlyphNoFallback(static_cast<ImWchar>(letter))) return false;
+    }
+    return true;
 }
 
 /// Writes into one pane, over a frame's picture.
@@ -77,58 +99,37 @@ public:
         return style.whole || gap == std::string::npos ? std::string_view(label.text)
                                                        : std::string_view(label.text).substr(gap + 3);
     }
-    void title(const Pane& pane, const Label& label, const TitleStyle& style) const {
-        const std::string_view text = title_text(label, style);
-        const ImVec2 size = extent(style.font, text);
-        const float middle = static_cast<float>(pane.rect.origin.x) + static_cast<float>(pane.rect.size.x) / 2;
-        const float top = static_cast<float>(pane.rect.origin.y) + style.top;
-        const ImVec2 low{std::round(middle - size.x / 2 - style.pad), top},
-            high{std::round(middle + size.x / 2 + style.pad), top + size.y + look_.px(10)};
-        if (high.x - low.x > static_cast<float>(pane.rect.size.x)) return;
-        list_.AddRectFilled(low, high, packed(to_imgui(label.color)), (high.y - low.y) / 2);
-        plain(style.font, {middle - size.x / 2, low.y + look_.px(5)}, {1, 1, 1, 1}, text);
+    /// A label as it is set; nothing where there is no room for it.
+    struct SetLabel {
+        const ImFont* font;
+        std::string_view text;
+        ImVec2 at;
+        Box box;  ///< what it covers, in a box of its own or without one
+    };
+    std::optional<SetLabel> set(const Pane& pane, const Label& label, const TitleStyle& titles) const {
+        return label.role == Label::Role::Title ? set_title(pane, label, titles) : set_label(pane, label);
     }
-
-    void label(const Pane& pane, const Label& label) const {
-        const glm::vec2 inside = label.pixel - glm::vec2(pane.rect.origin), size_of_pane(pane.rect.size);
-        if (inside.x < 0.0f || inside.y < 0.0f || inside.x > size_of_pane.x || inside.y > size_of_pane.y) return;
-        const bool small = label.role == Label::Role::Note || label.role == Label::Role::Level;
-        const bool boxed = label.role == Label::Role::Side || label.role == Label::Role::Level;
-        const ImFont* font = small ? words_ : look_.fonts.strong;
-        const float room = size_of_pane.x - look_.px(8);
-        if (extent(font, label.text).x > room) font = words_;
-        const ImVec2 size = extent(font, label.text);
-        if (size.x > room) return;  // rather none than half a word
-        ImVec2 at{label.pixel.x - size.x / 2, label.pixel.y - size.y / 2};
-        if (label.role == Label::Role::Note) at = {label.pixel.x + look_.px(10), label.pixel.y + look_.px(4)};
-        const ImVec2 low(static_cast<float>(pane.rect.origin.x) + look_.px(4),
-                         static_cast<float>(pane.rect.origin.y) + look_.px(4));
-        const ImVec2 high(low.x + static_cast<float>(pane.rect.size.x) - look_.px(8) - size.x,
-                          low.y + static_cast<float>(pane.rect.size.y) - look_.px(8) - size.y);
-        at = {std::clamp(at.x, low.x, std::max(low.x, high.x)), std::clamp(at.y, low.y, std::max(low.y, high.y))};
-        if (boxed) {
-            const float pad = look_.px(small ? 4 : 7), above = look_.px(small ? 0 : 2);
-            list_.AddRectFilled({std::round(at.x - pad), std::round(at.y - above)},
-                                {std::round(at.x + size.x + pad), std::round(at.y + size.y + above)},
-                                packed(faded(to_imgui(colors_.text_shadow), 0.8f)), look_.px(4));
-            return plain(font, at, to_imgui(label.color), label.text);
+    void draw(const Label& label, const SetLabel& set) const {
+        const auto& [font, text, at, box] = set;
+        if (label.role == Label::Role::Title) {
+            list_.AddRectFilled(box.low, box.high, packed(to_imgui(label.color)), (box.high.y - box.low.y) / 2);
+            return plain(font, at, {1, 1, 1, 1}, text);
+        }
+        if (is_boxed(label)) {
+            list_.AddRectFilled(box.low, box.high, packed(faded(to_imgui(colors_.text_shadow), 0.8f)), look_.px(4));
+            return plain(font, at, to_imgui(label.color), text);
         }
         // In words the palette's deeper colours drown in the dark, and its paler ones in the light.
-        haloed(font, at, glm::mix(label.color, colors_.text, 0.3f), label.text);
-    }
-
-    void card(ImVec2 low, ImVec2 high) const {
-        list_.AddRectFilled(low, high, packed(faded(to_imgui(colors_.text_shadow), 0.78f)), look_.px(8));
-        list_.AddRect(low, high, packed(faded(to_imgui(colors_.grid), 0.25f)), look_.px(8));
+        haloed(font, at, glm::mix(label.color, colors_.text, 0.3f), text);
     }
 
     // Where the names have no room, formulas alone; where these have none, nothing.
     std::vector<LegendEntry> legend_within(ImVec2 room, std::vector<LegendEntry> entries) const {
-        const auto fits = [&] { return legend_size(entries).x <= room.x && legend_size(entries).y <= room.y; };
-        if (!fits())
+        const float narrow = look_.fonts.caption ? kLegendInLecture * room.x : room.x;
+        if (legend_size(entries).x > narrow)
             for (LegendEntry& entry : entries)
                 if (const auto gap = entry.text.find("  "); gap != std::string::npos) entry.text.erase(0, gap + 2);
-        if (!fits()) entries.clear();
+        if (const ImVec2 size = legend_size(entries); size.x > room.x || size.y > room.y) entries.clear();
         return entries;
     }
     ImVec2 legend_size(const std::vector<LegendEntry>& entries) const {
@@ -139,7 +140,7 @@ public:
 
     void legend(ImVec2 low, const std::vector<LegendEntry>& entries) const {
         const ImVec2 size = legend_size(entries);
-        card(low, {low.x + size.x, low.y + size.y});
+        draw_card(look_, colors_, low, {low.x + size.x, low.y + size.y});
         float y = low.y + look_.px(7) + row() / 2;
         for (const LegendEntry& entry : entries) {
             draw_arrow(list_, entry.look, {low.x + look_.px(12), y}, {low.x + look_.px(42), y}, look_.px(3),
@@ -149,62 +150,51 @@ public:
         }
     }
 
-    // As wide as there is room, if there is enough for its title.
-    ImVec2 key_size(float room, const std::string& title) const {
-        const float least = std::max(look_.px(120), extent(words_, title).x + look_.px(16 + 20));
-        return {room < least ? 0.0f : std::min(look_.px(284), room), look_.px(64)};
-    }
-
-    void normals_key(ImVec2 low, ImVec2 size, const std::string& text) const {
-        card(low, {low.x + size.x, low.y + size.y});
-        const ImFont* font = words_;
-        plain(font, {low.x + look_.px(16), low.y + look_.px(5)}, to_imgui(colors_.text), text);
-        const float width = (size.x - look_.px(36)) / 3, top = low.y + look_.px(26);
-        for (int k = 0; k < 3; ++k) {
-            const ImVec2 from{low.x + look_.px(16) + static_cast<float>(k) * width, top},
-                to{from.x + width - look_.px(8), top + look_.px(12)};
-            glm::vec3 least(0.5f), most(0.5f);
-            least[k] = 0.0f;
-            most[k] = 1.0f;
-            const ImU32 a = packed(to_imgui(least)), b = packed(to_imgui(most));
-            list_.AddRectFilledMultiColor(from, to, a, b, b, a);
-            list_.AddRect(from, to, packed(faded(to_imgui(colors_.text), 0.35f)));
-            const char axis[] = {"xyz"[k], '\0'};
-            const std::array<std::string, 3> words{"−1", axis, "1"};
-            for (std::size_t i = 0; i < words.size(); ++i)
-                plain(font,
-                      {from.x + (to.x - from.x - extent(font, words[i]).x) * static_cast<float>(i) / 2,
-                       to.y + look_.px(4)},
-                      to_imgui(colors_.text), words[i]);
-        }
-    }
-
-    void error_key(ImVec2 low, ImVec2 size, const std::string& title) const {
-        card(low, {low.x + size.x, low.y + size.y});
-        const ImFont* font = words_;
-        plain(font, {low.x + look_.px(16), low.y + look_.px(5)}, to_imgui(colors_.text), title);
-        const ImVec2 bar{low.x + look_.px(16), low.y + look_.px(26)},
-            end{low.x + size.x - look_.px(20), bar.y + look_.px(12)};
-        constexpr int kSteps = 45;
-        const auto x = [&](float degrees) { return bar.x + (end.x - bar.x) * degrees / 90.0f; };
-        for (int i = 0; i < kSteps; ++i) {
-            const float from = 90.0f * static_cast<float>(i) / kSteps, to = 90.0f * static_cast<float>(i + 1) / kSteps;
-            const ImU32 a = packed(to_imgui(error_color(from))), b = packed(to_imgui(error_color(to)));
-            list_.AddRectFilledMultiColor({x(from), bar.y}, {x(to), end.y}, a, b, b, a);
-        }
-        list_.AddRect(bar, end, packed(faded(to_imgui(colors_.text), 0.35f)));
-        for (int degrees = 0; degrees <= 90; degrees += 15) {
-            const float at = std::round(x(static_cast<float>(degrees)));
-            const bool named = degrees % 30 == 0;
-            list_.AddLine({at, end.y}, {at, end.y + look_.px(named ? 4 : 2)}, packed(to_imgui(colors_.text)));
-            if (!named) continue;
-            const std::string text = std::to_string(degrees) + "°";
-            plain(font, {at - extent(font, std::to_string(degrees)).x / 2, end.y + look_.px(4)}, to_imgui(colors_.text),
-                  text);
-        }
-    }
-
 private:
+    static bool is_boxed(const Label& label) {
+        return label.role == Label::Role::Side || label.role == Label::Role::Level;
+    }
+    std::optional<SetLabel> set_title(const Pane& pane, const Label& label, const TitleStyle& style) const {
+        const std::string_view text = title_text(label, style);
+        const ImVec2 size = extent(style.font, text);
+        const float middle = static_cast<float>(pane.rect.origin.x) + static_cast<float>(pane.rect.size.x) / 2;
+        const float top = static_cast<float>(pane.rect.origin.y) + style.top;
+        const Box box{{std::round(middle - size.x / 2 - style.pad), top},
+                      {std::round(middle + size.x / 2 + style.pad), top + size.y + look_.px(10)}};
+        if (box.high.x - box.low.x > static_cast<float>(pane.rect.size.x)) return std::nullopt;
+        return SetLabel{style.font, text, {middle - size.x / 2, top + look_.px(5)}, box};
+    }
+    // The faces that stand out have few letters: what one of them lacks is set in the face of all other words.
+    const ImFont* font_for(const Label& label) const {
+        const bool small = label.role == Label::Role::Note || label.role == Label::Role::Level;
+        const ImFont* font = small ? words_ : look_.fonts.strong;
+        return has_letters(font, label.text) ? font : words_;
+    }
+    std::optional<SetLabel> set_label(const Pane& pane, const Label& label) const {
+        const glm::vec2 inside = label.pixel - glm::vec2(pane.rect.origin), size_of_pane(pane.rect.size);
+        if (inside.x < 0.0f || inside.y < 0.0f || inside.x > size_of_pane.x || inside.y > size_of_pane.y)
+            return std::nullopt;
+        const bool small = label.role == Label::Role::Note || label.role == Label::Role::Level;
+        const ImFont* font = font_for(label);
+        const float room = size_of_pane.x - look_.px(8);
+        if (extent(font, label.text).x > room) font = words_;
+        const ImVec2 size = extent(font, label.text);
+        if (size.x > room) return std::nullopt;  // rather none than half a word
+        ImVec2 at{label.pixel.x - size.x / 2, label.pixel.y - size.y / 2};
+        if (label.role == Label::Role::Note) at = {label.pixel.x + look_.px(10), label.pixel.y + look_.px(4)};
+        const ImVec2 low(static_cast<float>(pane.rect.origin.x) + look_.px(4),
+                         static_cast<float>(pane.rect.origin.y) + look_.px(4));
+        const ImVec2 high(low.x + static_cast<float>(pane.rect.size.x) - look_.px(8) - size.x,
+                          low.y + static_cast<float>(pane.rect.size.y) - look_.px(8) - size.y);
+        at = {std::clamp(at.x, low.x, std::max(low.x, high.x)), std::clamp(at.y, low.y, std::max(low.y, high.y))};
+        const float pad = is_boxed(label) ? look_.px(small ? 4 : 7) : 0.0f,
+                    above = is_boxed(label) && !small ? look_.px(2) : 0.0f;
+        return SetLabel{font,
+                        label.text,
+                        at,
+                        {{std::round(at.x - pad), std::round(at.y - above)},
+                         {std::round(at.x + size.x + pad), std::round(at.y + size.y + above)}}};
+    }
     float row() const { return words_->FontSize + look_.px(4); }
 
     const Look& look_;
@@ -212,6 +202,83 @@ private:
     ThemeColors colors_;
     ImDrawList& list_;
 };
+
+std::vector<Box> label_boxes(const Frame& frame, const Writer& writer) {
+    std::vector<Box> boxes;
+    const auto titles = writer.title_style(frame);
+    for (const Pane& pane : frame.panes)
+        for (const Label& label : pane.labels)
+            if (const auto set = writer.set(pane, label, titles)) boxes.push_back(set->box);
+    return boxes;
+}
+
+// What a box hides of the panes: of lines and arrows, and of the objects.
+float hidden_by(const Box& box, const Frame& frame) {
+    constexpr double kLine = 1000.0, kObject = 100.0;
+    double hidden = 0.0;
+    for (const Pane& pane : frame.panes) {
+        const glm::dvec2 origin(pane.rect.origin), low = glm::dvec2(box.low.x, box.low.y) - origin,
+                                                   high = glm::dvec2(box.high.x, box.high.y) - origin;
+        hidden += kObject * share_within(pane.outline, low, high);
+        for (const Stroke& stroke : pane.strokes) {
+            const glm::dvec3 a = pane.view.pixel({stroke.a}), b = pane.view.pixel({stroke.b});
+            const double wide = stroke.half_width / pane.view.world_per_pixel({stroke.b});
+            if (a.z > 0.0 && b.z > 0.0 &&
+                length_within(0.5 * (high - low) + wide, glm::dvec2(a) - 0.5 * (low + high),
+                              glm::dvec2(b) - 0.5 * (low + high)) > 0.0)
+                hidden += kLine;
+        }
+    }
+    return static_cast<float>(hidden);
+}
+
+/// Where the legend stands, and the key of what the surface's colours mean.
+struct Cards {
+    std::vector<LegendEntry> entries;
+    Box legend{};
+    std::optional<Box> key{};
+};
+
+// In a lecture, in the corner of the picture where it hides the least: the lower left one, unless another is better.
+Box legend_box(const Look& look, const Frame& frame, const Writer& writer, const Box& room, ImVec2 size) {
+    constexpr float kElsewhere = 5.0f, kWord = 1000.0f;
+    const Box usual{{room.low.x, room.high.y - size.y}, {room.low.x + size.x, room.high.y}};
+    if (!look.fonts.caption) return usual;
+    const std::vector<Box> words = label_boxes(frame, writer);
+    Box best = usual;
+    float least = std::numeric_limits<float>::infinity();
+    for (int corner = 0; corner < 4; ++corner) {
+        const ImVec2 low{corner % 2 == 0 ? room.low.x : room.high.x - size.x,
+                         corner < 2 ? room.high.y - size.y : room.low.y};
+        const Box box{low, {low.x + size.x, low.y + size.y}};
+        float cost = kElsewhere * static_cast<float>(corner) + hidden_by(box, frame);
+        for (const Box& word : words) cost += meet(box, word) ? kWord : 0.0f;
+        if (cost < least) least = cost, best = box;
+    }
+    return best;
+}
+
+Cards cards_of(const Look& look, const Frame& frame, const Writer& writer) {
+    const float margin = look.px(14);
+    const glm::vec2 origin(frame.rect.origin), size(frame.rect.size);
+    Box room{{origin.x + margin, origin.y + margin}, {origin.x + size.x - margin, origin.y + size.y - margin}};
+    const float width = room.high.x - room.low.x;
+    Cards cards{writer.legend_within({width, room.high.y - room.low.y}, frame.legend)};
+    const ImVec2 key = frame.color_key ? color_key_size(look, width, frame.color_key->text) : ImVec2(0, 0);
+    float beside = room.low.x;
+    if (!cards.entries.empty()) {
+        cards.legend = legend_box(look, frame, writer, room, writer.legend_size(cards.entries));
+        if (cards.legend.high.y == room.high.y && cards.legend.low.x == room.low.x) {
+            beside = cards.legend.high.x + margin;
+            if (room.high.x - key.x < beside)
+                room.high.y = cards.legend.low.y - look.px(8);  // no room beside it: above
+        }
+    }
+    if (key.x == 0.0f) return cards;
+    const ImVec2 low{room.high.x - key.x < beside ? room.low.x : room.high.x - key.x, room.high.y - key.y};
+    cards.key = Box{low, {low.x + key.x, low.y + key.y}};
+    return cards;
+}
 
 }  // namespace
 
@@ -223,37 +290,28 @@ void draw_words(const Look& look, const Frame& frame) {
         const ImVec2 low(static_cast<float>(pane.rect.origin.x), static_cast<float>(pane.rect.origin.y));
         list.PushClipRect(low,
                           {low.x + static_cast<float>(pane.rect.size.x), low.y + static_cast<float>(pane.rect.size.y)});
-        for (const Label& label : pane.labels) {
-            if (label.role == Label::Role::Title)
-                writer.title(pane, label, titles);
-            else
-                writer.label(pane, label);
-        }
+        for (const Label& label : pane.labels)
+            if (const auto set = writer.set(pane, label, titles)) writer.draw(label, *set);
         list.PopClipRect();
     }
+    const Cards cards = cards_of(look, frame, writer);
+    if (!cards.entries.empty()) writer.legend(cards.legend.low, cards.entries);
+    if (!cards.key) return;
+    const ImVec2 low = cards.key->low;
+    draw_color_key(look, frame, low, {cards.key->high.x - low.x, cards.key->high.y - low.y});
+}
 
-    const float margin = look.px(14);
-    const float left = static_cast<float>(frame.rect.origin.x) + margin,
-                right = static_cast<float>(frame.rect.origin.x + frame.rect.size.x) - margin;
-    float bottom = static_cast<float>(frame.rect.origin.y + frame.rect.size.y) - margin;
-    const float room = right - left;
-    const auto key = frame.color_key ? writer.key_size(room, frame.color_key->text) : ImVec2(0, 0);
-    float beside = left;
-    const auto legend = writer.legend_within({look.fonts.caption ? kLegendInLecture * room : room,
-                                              bottom - static_cast<float>(frame.rect.origin.y) - margin},
-                                             frame.legend);
-    if (!legend.empty()) {
-        const ImVec2 size = writer.legend_size(legend);
-        writer.legend({left, bottom - size.y}, legend);
-        beside = left + size.x + margin;
-        if (right - key.x < beside) bottom -= size.y + look.px(8);  // no room beside it: above
-    }
-    if (key.x == 0.0f) return;
-    const ImVec2 low{right - key.x < beside ? left : right - key.x, bottom - key.y};
-    if (frame.color_key->of == SurfaceColor::Error)
-        writer.error_key(low, key, frame.color_key->text);
-    else
-        writer.normals_key(low, key, frame.color_key->text);
+std::vector<PixelRect> word_boxes(const Look& look, const Frame& frame) {
+    const Writer writer(look, frame);
+    std::vector<Box> boxes = label_boxes(frame, writer);
+    const Cards cards = cards_of(look, frame, writer);
+    if (!cards.entries.empty()) boxes.push_back(cards.legend);
+    if (cards.key) boxes.push_back(*cards.key);
+    std::vector<PixelRect> rects;
+    for (const auto& [low, high] : boxes)
+        rects.push_back({glm::ivec2(glm::floor(glm::vec2(low.x, low.y))),
+                         glm::ivec2(glm::ceil(glm::vec2(high.x - low.x, high.y - low.y)))});
+    return rects;
 }
 
 float titles_height(const Look& look, const Frame& frame) {

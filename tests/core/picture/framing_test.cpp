@@ -80,10 +80,10 @@ TEST(Framing, NoWordsLieOnTheProbesArrows) {
                     if (!label.text.ends_with(" off") && !label.text.ends_with(" surface")) continue;
                     const glm::dvec2 middle = glm::dvec2(label.pixel) - glm::dvec2(pane.rect.origin),
                                      half = room.half_size(label.text, label.role);
-                    for (const auto& [from, to] : pane.lines)
-                        if (from == frame.probe->point.xyz) {
-                            EXPECT_FALSE(lies_on(middle, half, glm::dvec2(pane.view.pixel({from})),
-                                                 glm::dvec2(pane.view.pixel({to}))))
+                    for (const Stroke& stroke : pane.strokes)
+                        if (stroke.a == frame.probe->point.xyz) {
+                            EXPECT_FALSE(lies_on(middle, half, glm::dvec2(pane.view.pixel({stroke.a})),
+                                                 glm::dvec2(pane.view.pixel({stroke.b}))))
                                 << built_in.name << " at " << size.x << ": " << label.text;
                         }
                 }
