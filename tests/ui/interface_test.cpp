@@ -188,6 +188,7 @@ TEST_F(InterfaceTest, ALessonsWordsFitTheirStrip) {
 TEST_F(InterfaceTest, EveryLetterOfALessonIsThere) {
     Lesson lesson{.name = "mine", .title = "Ж", .about = {}, .steps = {}};
     lesson.steps.push_back({.scene = {}, .caption = "Ψ∮", .look_at = "ł", .equations = {"o′ = Ω"}});
+    lesson.steps.back().labels = {{.text = "Ю ∂f", .at = Point<World>{}}};
     std::vector<Lesson> lessons{lesson};
     for (const ListedLesson& built_in : built_in_lessons()) lessons.push_back(load_lesson(built_in.name));
     for (const Lesson& each : lessons) {
@@ -197,6 +198,7 @@ TEST_F(InterfaceTest, EveryLetterOfALessonIsThere) {
         for (const LessonStep& step : each.steps) {
             all += step.caption + step.look_at;
             for (const std::string& line : step.equations) all += line;
+            for (const PointLabel& label : step.labels) all += label.text;
         }
         for (const char* at = all.data(); at < all.data() + all.size();) {
             unsigned letter = 0;

@@ -11,6 +11,7 @@ void want_letters_of(const Lesson& lesson, ExtraLetters& letters, const ImFont* 
         want(step.to_try);
         want(step.notes);
         for (const std::string& line : step.equations) want(line);
+        for (const PointLabel& label : step.labels) want(label.text);
         if (!step.question) continue;
         want(step.question->text);
         for (const Choice& choice : step.question->choices) want(choice.text), want(choice.because);

@@ -30,7 +30,7 @@ MathStyle style_with(const Look& look, const ImFont* words, const ImFont* below,
 // Rather smaller than broken, as long as it can be read.
 MathBox equation_box(MathStyle style, std::string_view text, float width, const WordInks& inks) {
     style.formula = true;
-    for (const float shrink : {1.0f, 0.92f, 0.84f, 0.76f}) {
+    for (const float shrink : {1.0f, 0.92f, 0.84f, 0.76f, 0.7f, 0.64f}) {
         style.shrink = shrink;
         MathBox box = paragraph(style, text, 1e9f, inks);
         if (box.width <= width) return box;
