@@ -3,6 +3,7 @@
 #include "commands/tab_image.h"
 #include "core/base/beside.h"
 #include "core/base/error.h"
+#include "core/base/system.h"
 #include "core/base/text.h"
 #include "core/explain/numbers_json.h"
 #include "core/frame/display_scale.h"
@@ -24,7 +25,9 @@
 #include <config.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 
 namespace normalscope {
@@ -46,6 +49,20 @@ float scale_for(const CaptureOptions& options) {
 std::string unknown_tab(const std::string& tab) {
     if (tab.starts_with("derivation#")) return "--tab " + tab + ": its lines are derivation#1 to derivation#12";
     return "--tab " + tab + ": there is no such tab; known: " + joined(tab_names(), " ");
+}
+
+// On a terminal it is said what takes so long; where there are many pictures, a bar tells of them.
+std::shared_ptr<const Surface> waited_for(Beside<std::shared_ptr<const Surface>>& loading, bool alone) {
+    if (!alone || !is_terminal(stderr) || loading.ready(std::chrono::seconds(1))) return loading.get();
+    struct Line {
+        Line() { say("working out the surface \u2026  Ctrl+C gives up"); }
+        ~Line() { say("\r\x1b[K"); }
+        static void say(const char* text) {
+            std::fputs(text, stderr);
+            std::fflush(stderr);
+        }
+    } const line;
+    return loading.get();
 }
 
 }  // namespace
@@ -112,7 +129,7 @@ struct Studio::Equipment {
 // the pictures are the same to the last bit. And where each process draws with as many threads as there are processors,
 // they are only in each other's way.
 Studio::Studio(const StudioOptions& options)
-    : context_{.choice = options.context, .quick_shaders = options.pictures < 25} {
+    : context_{.choice = options.context, .quick_shaders = options.pictures < 25}, alone_(options.pictures == 1) {
     if (options.jobs > 1) context_.threads = std::max<std::size_t>(1, processors() / options.jobs);
 
     const std::string crashing = crashing_driver_variables([&] { capture(Scene{}, {.size = {16, 16}}); });
@@ -225,7 +242,7 @@ Capture Studio::draw(const Scene& scene, const CaptureOptions& options, const st
 
     const float scale = scale_for(options);
     const bool interface = options.panel || options.lesson || !options.tab.empty();
-    const std::shared_ptr<const Surface> surface = loading.get();
+    const std::shared_ptr<const Surface> surface = waited_for(loading, alone_);
     // The interface remembers what it showed last, which must not change this picture; words alone are forgotten.
     struct Forget {
         std::optional<OffscreenGui>& gui;

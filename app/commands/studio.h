@@ -69,6 +69,7 @@ private:
     Equipment& equipment();
 
     ContextOptions context_;
+    bool alone_;  ///< there is one picture
     std::unique_ptr<Equipment> equipment_;
     SurfaceCache surfaces_;
 };

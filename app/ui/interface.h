@@ -55,6 +55,8 @@ public:
     void take_back(std::string_view line);
     /// One line that may go by itself, such as "Saved …".
     void show_note(std::string_view line);
+    /// Takes such a line away.
+    void take_back_note(std::string_view line);
     /// The line that is shown now; empty if none.
     std::string_view message() const;
 

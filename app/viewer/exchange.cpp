@@ -185,13 +185,13 @@ void Viewer::take(Opened opened) {
         document_.play(opened.file);
         lecture().start_exercises(*opened.exercises, document_.scene);
     } else if (opened.lesson) {
-        surfaces_ = std::move(opened.surfaces);
+        surfaces_.take(std::move(opened.surfaces));
         document_.play(opened.lesson->name);
         gui_.interface.open_lesson(std::move(opened.lesson), document_.scene, opened.step);
     } else {
         lecture().exercises.stop();
         opened.scene.theme = document_.scene.theme;  // the room's light does not change with the scene
-        surfaces_ = std::move(opened.surfaces);
+        surfaces_.take(std::move(opened.surfaces));
         if (document_.draft.lesson)
             document_.scene = std::move(opened.scene);  // a view for the lesson that is being written
         else if (is_mesh_file(opened.file))
@@ -217,7 +217,7 @@ void Viewer::save_scene(const std::filesystem::path& file) {
 void Viewer::save_picture(const std::filesystem::path& file) {
     if (file.extension() == ".svg") {
         const PixelRect rect{{0, 0}, gui_.interface.picture(host_.framebuffer_size()).size};
-        const Frame vectors = make_frame(shown_scene(), surfaces_->get(document_.scene),
+        const Frame vectors = make_frame(shown_scene(), surfaces_.get_now(document_.scene),
                                          {.rect = rect, .pixel_scale = scale(), .handles = false});
         write_file(file, svg_text(shown_scene(), vectors, scale(), Ground::Scene));
         host_.saved(file);

@@ -25,6 +25,7 @@ void Viewer::press(const KeyPress& key) {
     if (!key.repeated) catch_up();
     gui_.interface.key_was_pressed();
     pointer_.end_scrolling();
+    if (key.key == ImGuiKey_Escape && !key.repeated && give_up_surface()) return;
     if (!key.repeated && end_path()) return;
     if (to_lecture(key)) return;
     if (!key.repeated) gui_.key(key.key, true, key.modifiers);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <string_view>
 #include <utility>
 
 namespace normalscope {
@@ -16,7 +17,9 @@ namespace {
 // Dear ImGui settles over a few frames after an event: a hovered button lights up in the next one.
 constexpr int kFramesAfterEvent = 3;
 constexpr double kCarrying = 0.9;      // seconds from one space to the other, for the derivation's arrows
-constexpr double kLookForFile = 0.05;  // seconds, while one is being read
+constexpr double kLookForFile = 0.05;  // seconds, while one is being read, or a surface made
+constexpr double kQuietly = 0.3;       // seconds until it is said that a surface is being made
+constexpr std::string_view kMaking = "Working out the surface \u2026  Esc gives up";
 
 bool is_more_than_a_scene(const Opened& opened) { return opened.lesson || opened.exercises; }
 
@@ -34,7 +37,7 @@ Viewer::Viewer(Host& host, Opened first, Remembered remembered)
     if (is_more_than_a_scene(first))
         take(std::move(first));
     else
-        surfaces_ = std::move(first.surfaces);
+        surfaces_.take(std::move(first.surfaces));
     show_title();
     gui_.interface.unfolded() = remembered.unfolded;
     offered_ = std::move(remembered.unsaved);
@@ -99,11 +102,11 @@ double Viewer::due() const {
     if (frames_wanted_ > 0 || swing_ || carrying_since_) return 0.0;
     double wait = std::max(wake_at() - host_.now(), 0.0);
     if (lesson_is_watched()) wait = std::min(wait, std::max(watch_.due() - host_.now(), 0.0));
-    return opening_ ? std::min(wait, kLookForFile) : wait;
+    return opening_ || surfaces_.making() ? std::min(wait, kLookForFile) : wait;
 }
 
 void Viewer::step() {
-    if (opening_ || swing_ || carrying_since_) frames_wanted_ = std::max(frames_wanted_, 1);
+    if (opening_ || swing_ || carrying_since_ || surfaces_.making()) frames_wanted_ = std::max(frames_wanted_, 1);
     if (!swinging()) swing_.reset();
     if (carrying_since_ && host_.now() - *carrying_since_ >= kCarrying) carrying_since_.reset();
     finish_opening();
@@ -127,7 +130,7 @@ void Viewer::catch_up() {
 
 bool Viewer::can_be_drawn(const Scene& scene) {
     try {
-        return surfaces_->get(scene) != nullptr;
+        return surfaces_.get(scene).surface != nullptr;
     } catch (const InputError& e) {
         gui_.interface.show_error(e.what());
         return false;
@@ -136,9 +139,12 @@ bool Viewer::can_be_drawn(const Scene& scene) {
 
 Frame Viewer::frame_now(Marks marks) {
     const auto make = [&] {
-        const std::shared_ptr<const Surface> surface = surfaces_->get(document_.scene);
+        const auto& [scene, surface] = marks == Marks::AsSaved
+                                           ? SurfaceInTime::Shown{document_.scene, surfaces_.get_now(document_.scene)}
+                                           : surfaces_.get(document_.scene);
         const auto swing = marks == Marks::AsSaved ? std::nullopt : swinging();
         Scene seen = shown_scene();
+        seen.surface = scene.surface;
         if (swing) seen.power = swing->naive;
         const Quality quality = marks == Marks::AsSaved                                        ? Quality::Fine
                                 : gui_.interface.typing_formula()                              ? Quality::Sketch
@@ -151,9 +157,9 @@ Frame Viewer::frame_now(Marks marks) {
                                   .highlight = gui_.interface.highlighted(),
                                   .handles = marks == Marks::WithHandles,
                                   .quality = quality,
-                                  .level_sets = level_sets_.get(document_.scene, surface->implicit),
+                                  .level_sets = level_sets_.get(scene, surface->implicit),
                                   .marks = step_marks(marks),
-                                  .flat_cut = flat_cut_.get(document_.scene, surface),
+                                  .flat_cut = flat_cut_.get(scene, surface),
                                   .right_power = swing.value_or(Swing::Powers{}).right});
         lecture().exercises.add_to(frame, document_.scene, scale());
         return frame;
@@ -165,6 +171,28 @@ Frame Viewer::frame_now(Marks marks) {
         document_.go_back_to_last();
         return make();
     }
+}
+
+void Viewer::tell_of_waiting() {
+    if (!surfaces_.making()) {
+        waiting_since_ = host_.now();
+        gui_.interface.take_back_note(kMaking);
+    } else if (host_.now() - waiting_since_ >= kQuietly) {
+        gui_.interface.show_note(kMaking);
+    }
+}
+
+bool Viewer::give_up_surface() {
+    if (!surfaces_.making()) return false;
+    gui_.finish_typing();
+    commit();
+    surfaces_.stop_making();
+    if (document_.can_undo()) {
+        document_.undo();
+        follow_draft();
+        gui_.interface.show_note("Given up; Ctrl+Y tries again");
+    }
+    return true;
 }
 
 Requests Viewer::lay_out() {
@@ -190,6 +218,7 @@ bool Viewer::has_room() const { return glm::all(glm::greaterThan(host_.framebuff
 
 Requests Viewer::compose() {
     frame_ = frame_now(Marks::WithHandles);
+    tell_of_waiting();
     const Scene before = document_.scene;
     const std::optional<Highlight> lit = gui_.interface.highlighted();
     const Requests requests = lay_out();

@@ -13,6 +13,7 @@
 #include "viewer/pace.h"
 #include "viewer/pointer.h"
 #include "viewer/remembered.h"
+#include "viewer/surface_in_time.h"
 #include "viewer/swing.h"
 
 #include <filesystem>
@@ -55,6 +56,8 @@ public:
     double due() const;
     /// Something is being read in the background.
     bool opening() const { return static_cast<bool>(opening_); }
+    /// A formula's surface is being made in the background, and the one before is shown.
+    bool making_surface() const { return surfaces_.making(); }
 
     /// Where the user keeps lessons, to be listed behind the built-in ones.
     void take_lessons_from(std::vector<std::filesystem::path> folders);
@@ -110,6 +113,10 @@ private:
     /// Until the interface knows of all input so far.
     void catch_up();
     Frame frame_now(Marks marks);
+    /// Says so where a formula's surface takes long, and that Esc gives it up.
+    void tell_of_waiting();
+    /// Back to the scene before; a redo tries again. Whether there was something to give up.
+    bool give_up_surface();
     void obey(const Requests& requests);
     /// The surface with its arrows; empty where there is none.
     std::optional<WorldBall> surface_ball() const;
@@ -178,7 +185,8 @@ private:
     Gui gui_;
     DisplayScale scale_;
     Pace pace_;
-    std::unique_ptr<SurfaceCache> surfaces_ = std::make_unique<SurfaceCache>();
+    SurfaceInTime surfaces_;
+    double waiting_since_ = 0.0;  ///< for a formula's surface, by the host's clock
     LevelSetsCache level_sets_;
     FlatCutCache flat_cut_;
     ErrorsCache errors_;

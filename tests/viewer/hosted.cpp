@@ -80,7 +80,7 @@ bool ViewerTest::asked() {
 
 void ViewerTest::settle() {
     for (int i = 0; i < 100'000 && viewer_->due() < 0.2; ++i) {
-        if (viewer_->opening()) std::this_thread::yield();
+        if (viewer_->opening() || viewer_->making_surface()) std::this_thread::yield();
         host_.time += std::max(kFrame, viewer_->due());
         viewer_->step();
     }

@@ -157,6 +157,37 @@ TEST_F(PanelTest, AShapeGivesWayToAFormula) {
     EXPECT_EQ(scene(), expected);
 }
 
+// Its surface takes seconds. Meanwhile the one before is shown, and Esc goes back to it; what was typed is a redo away.
+TEST_F(PanelTest, AFormulaThatTakesLongCanBeGivenUp) {
+    start(light("implicit-sphere"));
+    type_formula("x+y");
+    wait(2.0);
+    const auto shown = [&] { return viewer().frame()->surface->implicit->source().formula; };
+    std::string slow = "x^2+y^2+z^2-1";
+    for (int i = 0; i < 30; ++i) slow += "+0.01tan(" + std::to_string(i) + "x/9+y)";
+    const auto begin = [&] {
+        for (int i = 0; i < 1000 && !viewer().making_surface(); ++i) host_.time += 0.02, viewer().step();
+        ASSERT_TRUE(viewer().making_surface());
+        host_.time += 1.0;
+        viewer().step();
+        EXPECT_EQ(message(), "Working out the surface \u2026  Esc gives up");
+        EXPECT_EQ(shown(), "x+y");
+    };
+    keys({ImGuiMod_Ctrl | ImGuiKey_F, ImGuiMod_Ctrl | ImGuiKey_A});
+    for (const char letter : slow) viewer().type(static_cast<char32_t>(letter));
+    begin();
+    key(ImGuiKey_Escape);
+    EXPECT_FALSE(viewer().making_surface());
+    EXPECT_EQ(formula(), "x+y");
+    EXPECT_EQ(shown(), "x+y");
+    viewer().press(KeyPress{ImGuiKey_Y, ImGuiMod_Ctrl});
+    EXPECT_EQ(formula(), slow);
+    begin();
+    settle();
+    EXPECT_EQ(shown(), slow);
+    EXPECT_EQ(message(), "");
+}
+
 TEST_F(PanelTest, CtrlAndALetterLeaveAField) {
     start(light("implicit-sphere"));
     type_formula("x+y");

@@ -2,6 +2,7 @@
 
 #include "core/base/decimal.h"
 #include "core/program/zero_crossing.h"
+#include "core/surface/stopped.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -26,13 +27,14 @@ constexpr double kVisible = 1e-3;                // of the bound: half a pixel, 
 constexpr std::int64_t kMostEffort = 8'000'000;  // some tenths of a second
 
 // Where the first of a grid of rays meets it: a formula such as (x − 1)² touches zero without crossing it.
-std::optional<glm::dvec3> met_by_rays(const ImplicitSurface& surface) {
+std::optional<glm::dvec3> met_by_rays(const ImplicitSurface& surface, const Stop& stop) {
     const double bound = surface.source().bound;
     formulas::Effort effort{kMostEffort};
     constexpr int kRays = kTrialRays * kTrialRays;
     // In steps through the grid, along all axes in turn: where the effort does not suffice for all they are spread.
     for (int k = 0, i = 0; k < kRays; ++k, i = (i + kRayStride) % kRays)
         for (glm::length_t axis = 0; axis < 3; ++axis) {
+            go_on_unless(stop);
             glm::dvec3 from(0.0), along(0.0);
             from[axis] = -2.0 * bound;
             along[axis] = 1.0;
@@ -58,10 +60,11 @@ void note_sign(const ImplicitSurface& surface, const glm::dvec3& p, Zeros& zeros
     zeros.above = zeros.above || f.low > 0.0;
 }
 
-Zeros zeros_of(const ImplicitSurface& surface) {
+Zeros zeros_of(const ImplicitSurface& surface, const Stop& stop) {
     const double bound = surface.source().bound;
     Zeros zeros;
     for (const glm::dvec3& start : surface.points_throughout(kTrialPoints)) {
+        go_on_unless(stop);
         note_sign(surface, start, zeros);
         if (const auto zero = surface.onto_surface({start}, 2.0 * bound); zero && surface.inside_clip(zero->xyz))
             zeros.places.push_back(zero->xyz);
@@ -177,7 +180,7 @@ FormulaNote on_zeros(const ImplicitSurface& surface, Zeros zeros, const std::str
 
 }  // namespace
 
-FormulaNote note_on(const ImplicitSurface& surface, const Mesh& mesh) {
+FormulaNote note_on(const ImplicitSurface& surface, const Mesh& mesh, const Stop& stop) {
     if (surface.zero_everywhere()) return {"f is 0 everywhere: all of space, and no surface. Nothing is drawn.", false};
     if (!mesh.triangles.empty()) return on_mesh(surface, mesh);
     const std::string within = surface.source().clip == Clip::Ball ? "the ball" : "the cube";
@@ -187,9 +190,9 @@ FormulaNote note_on(const ImplicitSurface& surface, const Mesh& mesh) {
                     ", and changes its sign nowhere: a solid, and no surface. Nothing is drawn.",
                 false};
     if (!surface.region() || !surface.close_region()) return none;
-    Zeros zeros = zeros_of(surface);
+    Zeros zeros = zeros_of(surface, stop);
     const bool may_jump = formulas::may_jump(surface.program());
-    if (const auto met = met_by_rays(surface); met && (!may_jump || surface.lies_on(*met)))
+    if (const auto met = met_by_rays(surface, stop); met && (!may_jump || surface.lies_on(*met)))
         zeros.places.insert(zeros.places.begin(), *met);
     if (!zeros.places.empty()) return on_zeros(surface, std::move(zeros), within);
     if (const auto edge = zero_at_an_edge(surface))

@@ -12,7 +12,7 @@ struct FormulaNote {
     bool drawn = true;  ///< else it says that nothing is drawn, and nothing may be
 };
 
-/// `mesh` is what it was polygonised to.
-FormulaNote note_on(const ImplicitSurface& surface, const Mesh& mesh);
+/// `mesh` is what it was polygonised to. Throws Stopped (core/surface/stopped.h).
+FormulaNote note_on(const ImplicitSurface& surface, const Mesh& mesh, const Stop& stop = {});
 
 }  // namespace normalscope

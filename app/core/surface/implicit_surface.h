@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/beside.h"
 #include "core/formula/formula.h"
 #include "core/math/camera.h"
 #include "core/mesh/mesh.h"
@@ -96,7 +97,7 @@ private:
 inline constexpr std::array<std::string_view, 4> kFormulaNames{"f(x, y, z)", "∂f/∂x", "∂f/∂y", "∂f/∂z"};
 
 /// Triangles near the surface with their vertices on it and exact normals there: where its arrows stand, what is drawn
-/// where M has no inverse, what errors are measured over. `cells` a side.
-Mesh polygonised(const ImplicitSurface& surface, int cells);
+/// where M has no inverse, what errors are measured over. `cells` a side. Throws Stopped (core/surface/stopped.h).
+Mesh polygonised(const ImplicitSurface& surface, int cells, const Stop& stop = {});
 
 }  // namespace normalscope

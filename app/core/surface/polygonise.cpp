@@ -7,6 +7,7 @@
 #include "core/surface/implicit_surface.h"
 #include "core/surface/newton_steps.h"
 #include "core/surface/ray_mesh.h"
+#include "core/surface/stopped.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -32,8 +33,9 @@ constexpr double kThin = 8.0;      // cells, at least, across what is thin
 
 class SurfaceNet {
 public:
-    SurfaceNet(const ImplicitSurface& surface, const formulas::Box& box, const glm::dvec3& step)
+    SurfaceNet(const ImplicitSurface& surface, const formulas::Box& box, const glm::dvec3& step, const Stop& stop)
         : surface_(surface),
+          stop_(stop),
           careful_(formulas::may_jump(surface.program())),
           low_(box.low),
           step_(step),
@@ -80,6 +82,7 @@ private:
     glm::dvec3 onto_clip(glm::dvec3 p) const;
 
     const ImplicitSurface& surface_;
+    const Stop& stop_;
     bool careful_;  // a change of sign may be a pole or a jump
     glm::dvec3 low_, step_;
     double largest_step_;
@@ -109,6 +112,7 @@ double SurfaceNet::crossing(const glm::ivec3& c, glm::length_t axis) {
     const auto [known, is_new] =
         crossings_.try_emplace(3 * corner_index(c) + static_cast<std::size_t>(axis), std::nan(""));
     if (!is_new) return known->second;
+    go_on_unless(stop_);
     glm::ivec3 end = c;
     ++end[axis];
     return known->second = formulas::zero_between(surface_.program(), corner(c), corner(end)).value_or(std::nan(""));
@@ -157,6 +161,7 @@ void SurfaceNet::descend() {
     lost_.resize(positions_.size());
     gradients_.resize(positions_.size());
     for (std::size_t v = 0; v < positions_.size(); ++v) {
+        go_on_unless(stop_);
         if (!surface_.degree()) settle(v, start[v], samples[v]);
         const double off = std::abs(samples[v].value), near = (careful_ ? 1e-6 : kSettled) * largest_step_;
         if (!(off <= 0.3 * sizes_[v] && off <= near * glm::length(samples[v].gradient))) anchor(v, samples[v]);
@@ -304,7 +309,7 @@ Mesh SurfaceNet::mesh() {
 
 }  // namespace
 
-Mesh polygonised(const ImplicitSurface& surface, int cells) {
+Mesh polygonised(const ImplicitSurface& surface, int cells, const Stop& stop) {
     if (!surface.region()) return {};
     // A margin, so that no edge of the region's surface lacks a cell beside it.
     const auto within = [](formulas::Box box, double margin) {
@@ -315,7 +320,7 @@ Mesh polygonised(const ImplicitSurface& surface, int cells) {
     const double cell = largest(box.high - box.low) / cells;
     // What a cube cuts off must reach beyond it first.
     const double beyond = surface.source().clip == Clip::Box ? 1.5 * cell : 0.0;
-    Mesh mesh = SurfaceNet(surface, within(box, beyond), glm::dvec3(cell)).mesh();
+    Mesh mesh = SurfaceNet(surface, within(box, beyond), glm::dvec3(cell), stop).mesh();
     if (!mesh.triangles.empty()) return mesh;
 
     // Smaller than the cells, or thinner.
@@ -323,7 +328,7 @@ Mesh polygonised(const ImplicitSurface& surface, int cells) {
     if (!close) return {};
     const formulas::Box around = within(*close, 1e-3 * largest(close->high - close->low));
     const glm::dvec3 size = around.high - around.low, step(largest(size) / cells);
-    SurfaceNet net(surface, around, glm::min(step, size / kThin));
+    SurfaceNet net(surface, around, glm::min(step, size / kThin), stop);
     if (net.has_both_signs()) mesh = net.mesh();
     return mesh.triangles.empty() ? ray_mesh(surface, around, cells) : mesh;
 }

@@ -27,8 +27,8 @@ bool lies_on(const ImplicitSurface& surface, Point<Object> p) {
 
 }  // namespace
 
-std::shared_ptr<const Surface> SurfaceCache::get(const Scene& scene) {
-    const bool same_mesh = mesh_ && mesh_source_ == scene.surface;
+std::shared_ptr<const Surface> SurfaceCache::get(const Scene& scene, const Stop& stop) {
+    const bool same_mesh = has_mesh_of(scene);
     // Which arrow kinds are shown and how long they are does not change where they stand.
     const auto placement = [](const Arrows& a) { return std::tuple(a.at, a.every, a.limit); };
     if (surface_ && surface_source_ == scene.surface && placement(surface_arrows_) == placement(scene.arrows))
@@ -44,9 +44,9 @@ std::shared_ptr<const Surface> SurfaceCache::get(const Scene& scene) {
                                             [](const MeshSurface& file) { return load_mesh(file.mesh); },
                                             [&](const FormulaSurface& formula) {
                                                 implicit = std::make_shared<ImplicitSurface>(formula);
-                                                Mesh mesh = polygonised(*implicit, kFormulaCells);
+                                                Mesh mesh = polygonised(*implicit, kFormulaCells, stop);
                                                 implicit->check_floats(mesh);
-                                                FormulaNote note = note_on(*implicit, mesh);
+                                                FormulaNote note = note_on(*implicit, mesh, stop);
                                                 if (!note.text.empty()) mesh.notes.push_back(std::move(note.text));
                                                 if (!note.drawn) implicit->hide();
                                                 return mesh;

@@ -28,7 +28,13 @@ struct Surface {
 class SurfaceCache {
 public:
     /// The scene's surface. Throws InputError, as load_mesh and make_shape do; the last surface is kept then.
-    std::shared_ptr<const Surface> get(const Scene& scene);
+    /// When asked to stop, it may throw Stopped (core/surface/stopped.h), and the last surface is kept as well.
+    std::shared_ptr<const Surface> get(const Scene& scene, const Stop& stop = {});
+    /// Whether get() has next to nothing to do: the mesh is there.
+    bool has_mesh_of(const Scene& scene) const { return mesh_ && mesh_source_ == scene.surface; }
+    /// What the last surface was made from; only where there is one.
+    const SurfaceSource& source() const { return surface_source_; }
+    bool empty() const { return !surface_; }
 
 private:
     std::shared_ptr<const Mesh> mesh_;

@@ -30,6 +30,10 @@ void Messages::show_note(std::string_view line) {
     fresh_ = true;
 }
 
+void Messages::take_back(std::string_view note) {
+    if (!error_ && !text_.empty() && text_ == with_own_keys(note)) text_.clear();
+}
+
 bool Messages::dismiss() {
     if (text_.empty() || !error_) return false;
     text_.clear();

@@ -13,6 +13,8 @@ class Messages {
 public:
     void show_error(std::string_view line);
     void show_note(std::string_view line);
+    /// A note that is so no more.
+    void take_back(std::string_view note);
 
     void draw(const Look& look, const Frame& frame);
     /// Takes an error away; false if there was none.
