@@ -73,7 +73,7 @@ std::string told(const Viewer& viewer) {
         json["step"] = player.number() + 1;
         json["steps"] = player.lesson().steps.size();
         json["caption"] = player.step().caption;
-        if (player.step().question && player.answer()) {
+        if (player.step().question && player.answer() && !player.revealed()) {
             json["answer"] = *player.answer() + 1;
             json["right"] = player.step().question->choices[*player.answer()].right;
         }

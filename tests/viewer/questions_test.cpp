@@ -28,6 +28,7 @@ TEST_F(QuestionsTest, ADigitOrALetterAnswers) {
         const Scene before = scene();
         key(pressed);
         EXPECT_EQ(answer(), choice);
+        EXPECT_FALSE(lecture().player.revealed());
         EXPECT_EQ(scene(), before);
     }
 }
@@ -62,6 +63,7 @@ TEST_F(QuestionsTest, NextRevealsAndGoesOn) {
         key(next);
         EXPECT_EQ(lecture().player.number(), 0u);
         EXPECT_EQ(answer(), 2u);
+        EXPECT_TRUE(lecture().player.revealed()) << "that is nobody's answer";
         key(next);
         EXPECT_EQ(lecture().player.number(), 1u);
         keys({ImGuiKey_PageUp, next});  // it has been answered

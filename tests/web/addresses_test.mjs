@@ -77,6 +77,7 @@ test("back and forward go from step to step of a lesson", async (t) => {
     const { page, said } = await open(browser, `${url}#${lesson}/2`);
     await press(page, "ArrowRight");
     await page.waitForFunction((end) => location.hash.endsWith(end), {}, "/3");
+    await press(page, "a");  // what it asks
     await press(page, "ArrowRight");
     await page.waitForFunction((end) => location.hash.endsWith(end), {}, "/4");
     await page.goBack();

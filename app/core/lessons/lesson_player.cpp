@@ -41,7 +41,7 @@ void LessonPlayer::replace(std::shared_ptr<const Lesson> lesson, std::size_t ste
     answers_.resize(lesson_->steps.size());
     for (std::size_t i = 0; i < answers_.size(); ++i) {
         const std::optional<Question>& question = lesson_->steps[i].question;
-        if (answers_[i] && (!question || *answers_[i] >= question->choices.size())) answers_[i].reset();
+        if (answers_[i] && (!question || answers_[i]->choice >= question->choices.size())) answers_[i].reset();
     }
     step_ = std::min(step, lesson_->steps.size() - 1);
     way_.reset();
@@ -79,12 +79,14 @@ void LessonPlayer::arrive(Scene& scene) {
 
 bool LessonPlayer::strayed(const Scene& scene) const { return running() && !moving() && !(scene == target(scene)); }
 
-void LessonPlayer::choose(std::size_t choice) {
-    if (running() && step().question && choice < step().question->choices.size()) answers_[step_] = choice;
-}
+void LessonPlayer::choose(std::size_t choice) { set_answer({choice, false}); }
 
 void LessonPlayer::reveal() {
-    if (running() && asking()) choose(right_choice(*step().question));
+    if (running() && asking()) set_answer({right_choice(*step().question), true});
+}
+
+void LessonPlayer::set_answer(const Answer& answer) {
+    if (running() && step().question && answer.choice < step().question->choices.size()) answers_[step_] = answer;
 }
 
 }  // namespace normalscope

@@ -52,24 +52,33 @@ public:
     bool strayed(const Scene& scene) const;
 
     /// The choice that was made last for this step's question.
-    std::optional<std::size_t> answer() const { return answers_[step_]; }
+    std::optional<std::size_t> answer() const {
+        return answers_[step_] ? std::optional(answers_[step_]->choice) : std::nullopt;
+    }
     void choose(std::size_t choice);
     /// This step has a question, and nothing has been chosen yet.
     bool asking() const { return step().question && !answer(); }
-    /// Chooses what is right, where nobody has chosen.
+    /// Shows what is right, where nobody has chosen.
     void reveal();
+    /// That is how the answer came about: it is nobody's.
+    bool revealed() const { return answers_[step_] && answers_[step_]->revealed; }
 
 private:
     struct Way {
         Scene from, shown;
         double seconds = 0.0;
     };
+    struct Answer {
+        std::size_t choice;
+        bool revealed;
+    };
     Scene target(const Scene& scene) const;
+    void set_answer(const Answer& answer);
 
     std::shared_ptr<const Lesson> lesson_;
     std::size_t step_ = 0;
     std::optional<Way> way_;
-    std::vector<std::optional<std::size_t>> answers_;
+    std::vector<std::optional<Answer>> answers_;
 };
 
 }  // namespace normalscope
