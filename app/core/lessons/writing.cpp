@@ -101,8 +101,8 @@ Lesson with_swapped(Lesson lesson, std::size_t one, std::size_t other) {
 }
 
 Lesson without_step(Lesson lesson, std::size_t step) {
-    (void)lesson.steps.at(step);
-    if (lesson.steps.size() > 1) lesson.steps.erase(lesson.steps.begin() + static_cast<std::ptrdiff_t>(step));
+    const auto at = &lesson.steps.at(step) - lesson.steps.data();
+    if (lesson.steps.size() > 1) lesson.steps.erase(lesson.steps.begin() + at);
     return lesson;
 }
 
