@@ -14,6 +14,7 @@
 #include "platform/offscreen_context.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -50,9 +51,13 @@ Scene with_arrows(int resolution) {
 
 }  // namespace
 
-int main(int count, char**) {
+int main(int count, char** words) {
     const auto context = make_offscreen_context({});
     context->make_current();
+    if (count == 4) {  // for `where`: so many pictures with so many samples
+        (void)frames(load_scene(std::string(kDefaultScene)), std::atoi(words[2]), std::atoi(words[3]));
+        return 0;
+    }
     std::printf("{\"renderer\": \"%s\"", renderer_name().c_str());
     const auto print = [](const std::string& what, const Scene& scene, int pictures) {
         std::printf(", \"%s\": {\"1\": %.1f, \"4\": %.1f}", what.c_str(), frames(scene, 1, pictures),

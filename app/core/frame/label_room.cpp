@@ -86,13 +86,13 @@ double share_within(const std::vector<glm::dvec2>& convex, const glm::dvec2& low
     constexpr int kAcross = 9, kDown = 5;
     if (convex.size() < 3) return 0.0;
     const auto holds = [&](const glm::dvec2& p) {
-        double least = 0.0, most = 0.0;
-        for (std::size_t i = 0; i < convex.size(); ++i) {
-            const glm::dvec2 &a = convex[i], &b = convex[(i + 1) % convex.size()];
+        bool left = false, right = false;  // of an edge
+        for (std::size_t i = 0; i < convex.size() && !(left && right); ++i) {
+            const glm::dvec2 &a = convex[i], &b = convex[i + 1 < convex.size() ? i + 1 : 0];
             const double side = cross(b - a, p - a);
-            least = std::min(least, side), most = std::max(most, side);
+            left = left || side > 0.0, right = right || side < 0.0;
         }
-        return least == 0.0 || most == 0.0;
+        return !(left && right);
     };
     int within = 0;
     for (int i = 0; i < kAcross; ++i)
