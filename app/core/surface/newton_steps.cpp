@@ -42,4 +42,19 @@ std::vector<formulas::Sample> newton_steps(const formulas::Program& program, std
     return samples;
 }
 
+glm::dvec3 onto_ball(const formulas::Program& program, double radius, glm::dvec3 p, int most, double reach) {
+    for (int i = 0; i < most; ++i) {
+        const formulas::Sample s = formulas::sample(program, p);
+        const double f = s.value, g = 0.5 * (glm::dot(p, p) - radius * radius);
+        const glm::dvec3 &a = s.gradient, &b = p;
+        const double aa = glm::dot(a, a), ab = glm::dot(a, b), bb = glm::dot(b, b);
+        const double determinant = aa * bb - ab * ab;
+        if (!(determinant > 1e-12 * aa * bb)) break;
+        const glm::dvec3 next = p - (bb * f - ab * g) / determinant * a - (aa * g - ab * f) / determinant * b;
+        if (!(glm::length(next - p) < reach)) break;
+        p = next;
+    }
+    return p;
+}
+
 }  // namespace normalscope

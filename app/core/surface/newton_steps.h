@@ -13,4 +13,7 @@ namespace normalscope {
 std::vector<formulas::Sample> newton_steps(const formulas::Program& program, std::vector<glm::dvec3>& points, int most,
                                            double reach);
 
+/// Onto f = 0 and the ball around 0 of that radius at once, by at most so many of Newton's steps, each shorter than `reach`.
+glm::dvec3 onto_ball(const formulas::Program& program, double radius, glm::dvec3 p, int most, double reach);
+
 }  // namespace normalscope

@@ -72,6 +72,7 @@ private:
 
     void evaluate();
     double crossing(const glm::ivec3& c, glm::length_t axis);
+    void find_crossings();
     void add_vertices();
     void settle(std::size_t vertex, const glm::dvec3& start, formulas::Sample& sample);
     void anchor(std::size_t vertex, formulas::Sample& sample);
@@ -79,7 +80,6 @@ private:
     void add_quads();
     void add_quad(const std::array<std::uint32_t, 4>& q);
     void trim();
-    glm::dvec3 onto_clip(glm::dvec3 p) const;
 
     const ImplicitSurface& surface_;
     const Stop& stop_;
@@ -118,7 +118,35 @@ double SurfaceNet::crossing(const glm::ivec3& c, glm::length_t axis) {
     return known->second = formulas::zero_between(surface_.program(), corner(c), corner(end)).value_or(std::nan(""));
 }
 
+// All that add_vertices() will ask for, side by side.
+void SurfaceNet::find_crossings() {
+    constexpr std::size_t kAtOnce = 512;
+    std::vector<formulas::Edge> edges;
+    std::vector<std::size_t> keys;
+    const auto find = [&] {
+        go_on_unless(stop_);
+        const auto zeros = formulas::zeros_between(surface_.program(), edges);
+        for (std::size_t k = 0; k < keys.size(); ++k) crossings_[keys[k]] = zeros[k].value_or(std::nan(""));
+        edges.clear();
+        keys.clear();
+    };
+    for (glm::length_t axis = 0; axis < 3; ++axis)
+        for (glm::ivec3 c(0); c.z <= counts_.z; ++c.z)
+            for (c.y = 0; c.y <= counts_.y; ++c.y)
+                for (c.x = 0; c.x <= counts_.x; ++c.x) {
+                    glm::ivec3 end = c;
+                    if (++end[axis] > counts_[axis]) continue;
+                    const double here = values_[corner_index(c)], there = values_[corner_index(end)];
+                    if (std::isnan(here) || std::isnan(there) || (here < 0.0) == (there < 0.0)) continue;
+                    edges.push_back({corner(c), corner(end)});
+                    keys.push_back(3 * corner_index(c) + static_cast<std::size_t>(axis));
+                    if (edges.size() == kAtOnce) find();
+                }
+    find();
+}
+
 void SurfaceNet::add_vertices() {
+    if (careful_) find_crossings();
     vertices_.assign(values_.size(), kNoVertex);
     each_cell([&](const glm::ivec3& c) {
         std::array<double, 8> f{};
@@ -239,23 +267,6 @@ void SurfaceNet::add_quads() {
     }
 }
 
-// Onto the clip's own surface and f = 0 at once, by Newton's steps.
-glm::dvec3 SurfaceNet::onto_clip(glm::dvec3 p) const {
-    const double bound = surface_.source().bound;
-    for (int i = 0; i < kNewtonSteps; ++i) {
-        const formulas::Sample s = surface_.at({p});
-        const double f = s.value, g = 0.5 * (glm::dot(p, p) - bound * bound);
-        const glm::dvec3 &a = s.gradient, &b = p;
-        const double aa = glm::dot(a, a), ab = glm::dot(a, b), bb = glm::dot(b, b);
-        const double determinant = aa * bb - ab * ab;
-        if (!(determinant > 1e-12 * aa * bb)) break;
-        const glm::dvec3 next = p - (bb * f - ab * g) / determinant * a - (aa * g - ab * f) / determinant * b;
-        if (!(glm::length(next - p) < 4.0 * largest_step_)) break;
-        p = next;
-    }
-    return p;
-}
-
 // Leaves out what lies beyond the clip, and ends the last triangles at its edge: at a cube's faces they are cut, at the
 // ball their vertices are moved.
 void SurfaceNet::trim() {
@@ -275,7 +286,8 @@ void SurfaceNet::trim() {
         for (int k = 0; k < 3; ++k) outside[t[k]] = !inside[t[k]];
     for (std::size_t v = 0; v < positions_.size(); ++v)
         if (outside[v]) {
-            positions_[v] = onto_clip(positions_[v]);
+            positions_[v] = onto_ball(surface_.program(), surface_.source().bound, positions_[v], kNewtonSteps,
+                                      4.0 * largest_step_);
             const formulas::Sample s = surface_.at({positions_[v]});
             gradients_[v] = s.gradient;
             lost_[v] = careful_ && !(std::abs(s.value) <= 1e-6 * largest_step_ * glm::length(s.gradient));
