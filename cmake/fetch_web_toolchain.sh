@@ -8,27 +8,8 @@
 # a tenth. Clang is Debian's own in both. Where binaryen wants a newer C library than the system has, it gets that one.
 set -eu
 
-here=$(cd "$(dirname "$0")" && pwd)
-mkdir -p "$1"
-folder=$(cd "$1" && pwd)
-exec 8>"$folder/.web_lock" && flock 8        # several build folders may share one FOLDER
-[ ! -e "$folder/web/complete" ] || exit 0
-
-work=$folder/.web_work
-log=$folder/fetch_web.log
-rm -rf "$work" "$folder/web"
-mkdir -p "$work"
-: >"$log"
-. "$here/private_apt.sh"
-cd "$work"
-
-die() {
-    echo "$1 (see $log)" >&2
-    exit 1
-}
-
-command -v apt-get >/dev/null || die "emscripten is fetched by apt-get, which this system lacks"
-update_from_own_archive || die "none of this machine's apt archives serves Debian 13: check the network"
+. "$(dirname "$0")/private_apt.sh"
+begin web "$1" web/complete
 private apt-get download emscripten binaryen node-acorn libc6 libgcc-s1 libstdc++6 ||
     die "emscripten's packages could not be fetched"
 
@@ -80,5 +61,4 @@ for package in zlib libpng1.6; do
 done
 
 touch web/complete
-mv web "$folder/"
-cd "$folder" && rm -rf "$work"
+finish web

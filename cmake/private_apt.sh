@@ -1,9 +1,44 @@
-# Read by scripts that fetch packages of Debian 13 ("trixie") without installing them: apt with a private list of sources and
-# private state needs no privileges, checks Debian's signatures, and changes nothing outside $work.
-#
-# Before this is read: $work, an empty folder to work in, and $log, a file that takes what apt says.
+# Read by scripts that fetch packages of Debian 13 ("trixie") into a folder without installing them: apt with a private list of
+# sources and private state needs no privileges, checks Debian's signatures, and changes nothing outside that folder.
 
-mkdir -p "$work/lists/partial" "$work/cache/archives/partial"
+# begin NAME FOLDER FILE...: an empty folder to work in becomes the current one, and Debian 13's packages are known. Where FOLDER
+# has each FILE nothing is left to be done, and the script ends. What apt says is in FOLDER/fetch_NAME.log.
+begin() {
+    mkdir -p "$2"
+    folder=$(cd "$2" && pwd)
+    log=$folder/fetch_$1.log
+    work=$folder/.work_$1
+    exec 9>"$folder/.lock_$1" && flock 9  # several build folders may share one FOLDER
+    shift 2
+    has_all "$@" && exit 0
+
+    : >"$log"
+    rm -rf "$work"
+    mkdir -p "$work/lists/partial" "$work/cache/archives/partial"
+    cd "$work"
+    command -v apt-get >/dev/null || die "Debian's sources are fetched by apt-get, which this system lacks"
+    update_from_own_archive && return
+    [ "${ID-}" = debian ] || die "${PRETTY_NAME-this system}'s archives have no Debian 13, from which this comes: ./dev is for Debian 12 and 13"
+    die "none of this machine's apt archives serves Debian 13: check the network"
+}
+
+# finish ENTRY...: these are what was wanted; they come into FOLDER.
+finish() {
+    (cd "$folder" && rm -rf "$@")
+    mv "$@" "$folder/"
+    cd "$folder" && rm -rf "$work"
+}
+
+has_all() {
+    for file; do
+        [ -e "$folder/$file" ] || return 1
+    done
+}
+
+die() {
+    echo "$1 (see $log)${otherwise:+; or $otherwise}" >&2
+    exit 1
+}
 
 private() {
     "$@" -qq -o Dir::Etc::sourcelist="$work/trixie.list" -o Dir::Etc::sourceparts=/dev/null \
