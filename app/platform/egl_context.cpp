@@ -37,7 +37,7 @@ public:
             if (create_context()) return;
             egl<decltype(eglTerminate)>("eglTerminate")(display);
         }
-        throw ContextError("EGL offers no OpenGL 3.3 context without a surface");
+        throw ContextError("it offers no OpenGL 3.3 context without a surface");
     }
     ~Egl() override {
         egl<decltype(eglMakeCurrent)>("eglMakeCurrent")(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
@@ -102,7 +102,7 @@ std::unique_ptr<Context> make_egl_context() { return std::make_unique<Egl>(); }
 
 #else
 
-std::unique_ptr<Context> make_egl_context() { throw ContextError("this program was built on a system without EGL"); }
+std::unique_ptr<Context> make_egl_context() { throw MissingLibrary("this program was built on a system without EGL"); }
 
 #endif
 

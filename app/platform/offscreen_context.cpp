@@ -4,9 +4,11 @@
 #include "core/base/system.h"
 #include "core/base/text.h"
 #include "platform/offscreen_ways.h"
+#include "platform/shared_library.h"
 
 #include <cstdlib>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -40,16 +42,22 @@ std::string others(ContextChoice choice) {
 }
 
 std::unique_ptr<Context> make_context(ContextChoice choice) {
-    std::string reasons;
-    std::vector<std::string> remedies;
-    for (const OffscreenWay& way : offscreen_ways()) try {
+    const std::span<const OffscreenWay> ways = offscreen_ways();
+    // Where a system has a way of its own, nobody misses the libraries of the others.
+    const bool has_own = choice == ContextChoice::Auto && ways.front().choice == ContextChoice::Auto;
+    std::vector<std::string> reasons, remedies;
+    for (const OffscreenWay& way : ways) try {
             if (choice == ContextChoice::Auto || choice == way.choice) return way.make();
-        } catch (const ContextError& e) {
-            reasons += (reasons.empty() ? "" : "; ") + std::string(way.name) + ": " + e.what();
+        } catch (const MissingLibrary& e) {
+            if (has_own) continue;
+            reasons.push_back(std::string(way.name) + ": " + e.what());
             remedies.emplace_back(remedy(way.missing));
+        } catch (const ContextError& e) {
+            reasons.push_back(std::string(way.name) + ": " + e.what());
         }
+    if (remedies.empty()) remedies.emplace_back(remedy(Missing::OpenGl));
     if (choice != ContextChoice::Auto) remedies.push_back("use " + others(choice));
-    throw ContextError("no graphics context: " + reasons + "; " + joined(remedies, ", or "));
+    throw ContextError("no graphics context: " + joined(reasons, "; ") + "; " + joined(remedies, ", or "));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ struct OffscreenWay {
     const char* word;      ///< which --context takes for that
     const char* name;
     std::unique_ptr<Context> (*make)();
-    Missing missing;  ///< where it fails
+    Missing missing;  ///< where its library is missing
 };
 
 /// Those that this system has, in the order in which they are tried.

@@ -31,7 +31,7 @@ public:
                                          kProfile, kCoreProfile, kMajorVersion, 3, kMinorVersion, 3,
                                          0};
         context_ = create(kAttributes.data(), nullptr);
-        if (!context_) throw ContextError("OSMesa cannot make an OpenGL 3.3 context");
+        if (!context_) throw ContextError("it cannot make an OpenGL 3.3 context");
         loader_ = library_.function<Function(const char*)>("OSMesaGetProcAddress");
     }
     ~Osmesa() override { library_.function<void(OsmesaContext)>("OSMesaDestroyContext")(context_); }

@@ -1,7 +1,5 @@
 #include "platform/shared_library.h"
 
-#include "core/base/error.h"
-
 #include <dlfcn.h>
 
 namespace normalscope {
@@ -14,12 +12,12 @@ SharedLibrary::SharedLibrary(const std::vector<std::string>& names) {
         if (handle_) return;
         if (reason.empty()) reason = ::dlerror();
     }
-    throw ContextError(reason);
+    throw MissingLibrary(reason);
 }
 
 void* SharedLibrary::symbol(const char* name) const {
     if (void* found = ::dlsym(handle_, name)) return found;
-    throw ContextError(name_ + ": has no " + name);
+    throw MissingLibrary(name_ + ": has no " + name);
 }
 
 }  // namespace normalscope

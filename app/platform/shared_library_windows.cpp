@@ -1,6 +1,5 @@
 #include "platform/shared_library.h"
 
-#include "core/base/error.h"
 #include "core/base/windows_text.h"
 
 #include <windows.h>
@@ -13,13 +12,13 @@ SharedLibrary::SharedLibrary(const std::vector<std::string>& names) {
         name_ = name;
         if (handle_) return;
     }
-    throw ContextError(names.front() + ": there is none");
+    throw MissingLibrary(names.front() + ": there is none");
 }
 
 void* SharedLibrary::symbol(const char* name) const {
     if (const FARPROC found = ::GetProcAddress(reinterpret_cast<HMODULE>(handle_), name))
         return reinterpret_cast<void*>(found);
-    throw ContextError(name_ + ": has no " + name);
+    throw MissingLibrary(name_ + ": has no " + name);
 }
 
 }  // namespace normalscope

@@ -59,8 +59,8 @@ class CommandTest(unittest.TestCase):
             self.assertTrue(line.startswith("normalscope: ") and note in line, (line, note))
         return done.stdout or b""
 
-    def assert_fails(self, code, *arguments, says=(), **options):
-        """It exits with `code` and says why in one line of stderr, which holds every one of the words `says`."""
+    def assert_fails(self, code, *arguments, says=(), lacks=None, **options):
+        """It exits with `code` and says why in one line of stderr, which holds every one of the words `says`, and not `lacks`."""
         done = run(*arguments, **options)
         line = done.stderr.decode()
         self.assertEqual(done.returncode, code, (arguments, line))
@@ -69,6 +69,8 @@ class CommandTest(unittest.TestCase):
         self.assertLess(len(line), 600, arguments)
         for word in says if isinstance(says, tuple) else (says,):
             self.assertIn(str(word), line)
+        if lacks:
+            self.assertNotIn(lacks, line)
         # What does not exist is said in words; only what the user wrote may be repeated.
         for argument in filter(None, map(str, arguments)):
             line = line.replace(argument, "")

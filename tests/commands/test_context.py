@@ -40,6 +40,16 @@ class ContextTest(CommandTest):
         self.assert_fails(4, "sweep", "--vary", "camera.azimuth=0:9:4", "-o", f"{self.folder}/", "--jobs", "2", *SMALL,
                           env={**NO_OSMESA, **NO_EGL}, says="no graphics context")
 
+    def test_a_driver_that_is_too_old(self):
+        out = ("capture", "-o", self.folder / "out.png", *SMALL)
+        for version in ("2.1", "3.0", "3.2"):
+            for old, ways in (((), ("OSMesa: ", "EGL: ")), (("--context", "egl"), ("EGL: ", "or use --context osmesa"))):
+                self.assert_fails(4, *out, *old, env={"MESA_GL_VERSION_OVERRIDE": version},
+                                  says=(*ways, "OpenGL 3.3 is needed", "virtual machines", "LIBGL_ALWAYS_SOFTWARE=1"), lacks="install lib")
+        # What is not there may know more.
+        self.assert_fails(4, *out, env={"MESA_GL_VERSION_OVERRIDE": "3.0", **NO_OSMESA}, says=("EGL: it offers no", "install libosmesa6"),
+                          lacks="is needed")
+
     def test_what_the_driver_would_crash_on(self):
         out = ("-o", self.folder / "out.png", *SMALL)
         for variables in ({"GALLIUM_DRIVER": "nope"}, {"LP_NATIVE_VECTOR_WIDTH": "7"}, {"LP_NATIVE_VECTOR_WIDTH": "0"},

@@ -71,6 +71,16 @@ class WindowsTest(unittest.TestCase):
                     del numbers[of_the_driver]
             self.assert_close(windows, linux)
 
+    def test_a_driver_that_is_too_old(self):
+        old = {**os.environ, "MESA_GL_VERSION_OVERRIDE": "3.0"}
+        self.run_exe("capture", "-o", "old.png", *SMALL, code=4, env=old)
+        self.assertRegex(self.errors, r"\Anormalscope: no graphics context: a hidden window: [^;\n]+; OpenGL 3\.3 is needed")
+        self.assertIn("opengl32.dll", self.errors)
+        for missing in ("OSMesa", "EGL"):
+            self.assertNotIn(missing, self.errors)
+        self.run_exe("capture", "-o", "old.png", "--context", "osmesa", *SMALL, code=4)
+        self.assertRegex(self.errors, r": OSMesa: [^;\n]+; put Mesa's osmesa\.dll beside normalscope\.exe, or use --context auto")
+
     def test_a_picture_on_standard_output_is_bytes(self):
         picture = self.run_exe("capture", "-o", "-", *SMALL)
         self.assertTrue(picture.startswith(b"\x89PNG\r\n\x1a\n") and picture.endswith(b"IEND\xaeB`\x82"))
