@@ -74,7 +74,7 @@ class WindowsTest(unittest.TestCase):
     def test_a_driver_that_is_too_old(self):
         old = {**os.environ, "MESA_GL_VERSION_OVERRIDE": "3.0"}
         self.run_exe("capture", "-o", "old.png", *SMALL, code=4, env=old)
-        self.assertRegex(self.errors, r"\Anormalscope: no graphics context: a hidden window: [^;\n]+; OpenGL 3\.3 is needed")
+        self.assertRegex(self.errors, r"(?m)^normalscope: no graphics context: a hidden window: [^;\n]+; OpenGL 3\.3 is needed")
         self.assertIn("opengl32.dll", self.errors)
         for missing in ("OSMesa", "EGL"):
             self.assertNotIn(missing, self.errors)
