@@ -1,10 +1,13 @@
-# The fonts that are built into the program, as distributions package them. Each path is a cache variable of its own. A page
-# has only the letters of them that it needs.
+# The fonts that are built into the program, as distributions package them. Each path is a cache variable of its own. What is
+# one file for a system has of them what it can show, and a page only the letters that it needs.
 set(fonts)
 function(subset_font from to)
   set(script "${PROJECT_SOURCE_DIR}/cmake/subset_font.py")
   set(interface "${PROJECT_SOURCE_DIR}/app/ui/kit/fonts.cpp")
-  file(GLOB texts CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/assets/lessons/*" "${PROJECT_SOURCE_DIR}/assets/scenes/*")
+  set(texts)
+  if(EMSCRIPTEN)
+    file(GLOB texts CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/assets/lessons/*" "${PROJECT_SOURCE_DIR}/assets/scenes/*")
+  endif()
   file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/fonts")
   add_custom_command(OUTPUT "${to}" COMMAND python3 "${script}" "${from}" "${to}" "${interface}" ${texts}
     DEPENDS "${script}" "${interface}" ${texts} VERBATIM)
@@ -19,7 +22,7 @@ function(find_font name package)
     message(FATAL_ERROR "${name} was not found: install ${package}, or set ${variable} to its path")
   endif()
   set(font "${${variable}}")
-  if(EMSCRIPTEN)
+  if(one_file)
     subset_font("${font}" "${PROJECT_BINARY_DIR}/fonts/${name}")
     set(font "${PROJECT_BINARY_DIR}/fonts/${name}")
   endif()

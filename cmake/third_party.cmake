@@ -36,6 +36,9 @@ add_library(imgui STATIC
   "${imgui}/imgui_widgets.cpp"
   "${imgui}/misc/cpp/imgui_stdlib.cpp")
 target_include_directories(imgui SYSTEM PUBLIC "${imgui}" "${imgui}/misc/cpp")
+if(one_file)
+  target_compile_options(imgui PRIVATE -Os)
+endif()
 target_compile_definitions(imgui PUBLIC
   IMGUI_DISABLE_OBSOLETE_FUNCTIONS
   IMGUI_DISABLE_DEMO_WINDOWS
