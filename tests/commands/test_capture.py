@@ -95,7 +95,7 @@ class CaptureTest(CommandTest):
         out = self.folder / "out.png"
         for setting, says in (
                 ("rule=right", "naive, inverse-transpose, cofactor"),
-                ("colour=red", "known here"),
+                ("colour=red", "did you mean color"),
                 ("stack.0.scale=[1,2]", "stack.0.scale"),
                 ("stack.0.scale.7=1", "stack.0.scale.7"),
                 ("stack.9.scale=[1,1,1]", "stack.9"),

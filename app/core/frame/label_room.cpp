@@ -50,7 +50,7 @@ std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points) {
     std::ranges::sort(points, [](const auto& a, const auto& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
     if (points.size() < 3) return {};
     std::vector<glm::dvec2> hull;
-    const auto go_along = [&](auto first, auto last) {
+    const auto go_along = [&](const auto& first, const auto& last) {
         const std::size_t before = hull.size() + 1;
         for (auto p = first; p != last; ++p) {
             while (hull.size() > before && cross(hull.back() - hull[hull.size() - 2], *p - hull.back()) <= 0.0)
