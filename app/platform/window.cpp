@@ -18,7 +18,8 @@ namespace normalscope {
 
 namespace {
 
-constexpr glm::ivec2 kFirstSize{1280, 800};  // logical pixels
+constexpr glm::ivec2 kFirstSize{1280, 800};          // logical pixels
+constexpr const char* kDesktopName = "normalscope";  // of normalscope.desktop, by which desktops find the window's icon
 
 // There a window's size is in logical pixels, while a monitor's is in physical ones, and nobody learns where it stands.
 bool on_wayland() {
@@ -105,7 +106,10 @@ Window::Window(const char* title, const WindowPlace& place) {
     // A size that is remembered is the enlarged one, and would grow each time.
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, place.size ? GLFW_FALSE : GLFW_TRUE);
     glfwWindowHint(GLFW_MAXIMIZED, place.maximised ? GLFW_TRUE : GLFW_FALSE);
-    glfwWindowHintString(GLFW_X11_CLASS_NAME, "normalscope");
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, kDesktopName);
+#ifdef GLFW_WAYLAND_APP_ID  // from GLFW 3.4 on
+    glfwWindowHintString(GLFW_WAYLAND_APP_ID, kDesktopName);
+#endif
     const glm::ivec2 size = fitting_size(place);
     window_ = glfwCreateWindow(size.x, size.y, title, nullptr, nullptr);
     if (!window_) {
