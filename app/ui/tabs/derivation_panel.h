@@ -19,7 +19,6 @@ inline constexpr float kDerivationWidth = 432.0f;
 /// a lecturer may uncover line after line.
 class DerivationPanel {
 public:
-
     /// Does nothing unless `shown`. `top`: what is left free above it, for the tabs.
     void draw(const Look& look, const Scene& scene, const Frame& frame, bool shown, float top = 0.0f);
     /// The laid-out lines hold fonts: to be called when these are made anew.
