@@ -33,6 +33,12 @@ glm::dvec3 exact_cross(const glm::dvec3& a, const glm::dvec3& b) {
             difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
+// √(1 + x²), by operations that are rounded alike everywhere: hypot's last digit differs between processors and C libraries.
+double root_of_one_plus_square(double x) {
+    constexpr double kOneIsLost = 1e8;  // beside x²; from here on x² need not be finite, either
+    return std::abs(x) > kOneIsLost ? std::abs(x) : std::sqrt(1.0 + x * x);
+}
+
 // The determinant by the row or column whose products cancel least.
 double determinant_by(const glm::dmat3& cofactor, const glm::dmat3& m) {
     double best = glm::dot(m[0], cofactor[0]), least = std::numeric_limits<double>::infinity();
@@ -88,8 +94,8 @@ SingularValues singular_values(const glm::dmat3& a) {
             if (std::abs(gamma) <= kEpsilon * std::sqrt(alpha * beta)) continue;
             rotated = true;
             const double zeta = (beta - alpha) / (2.0 * gamma);
-            const double t = std::copysign(1.0, zeta) / (std::abs(zeta) + std::hypot(1.0, zeta));
-            const double c = 1.0 / std::hypot(1.0, t), s = c * t;
+            const double t = std::copysign(1.0, zeta) / (std::abs(zeta) + root_of_one_plus_square(zeta));
+            const double c = 1.0 / root_of_one_plus_square(t), s = c * t;
             for (glm::dmat3* m : {&w, &v}) {
                 const glm::dvec3 mi = (*m)[i];
                 (*m)[i] = c * mi - s * (*m)[j];

@@ -1,0 +1,12 @@
+# The toolchain of Linux on ARM64, whose programs run here by qemu. ./dev arm64 takes it.
+set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR aarch64)
+set(arm64 aarch64-linux-gnu)
+set(CMAKE_C_COMPILER ${arm64}-gcc)
+set(CMAKE_CXX_COMPILER ${arm64}-g++)
+set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64-static -L /usr/${arm64})
+set(CMAKE_FIND_ROOT_PATH /usr/${arm64})
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
