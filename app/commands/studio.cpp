@@ -152,13 +152,13 @@ struct Studio::TabPicture {
 };
 
 Studio::TabPicture Studio::draw_tab(const Scene& scene, const CaptureOptions& options, float scale) {
-    constexpr float kPicture = 160.0f;   // a picture that a tab stands beside
+    constexpr float kBeside = 160.0f;    // a picture that a tab stands beside
     constexpr float kTallest = 4000.0f;  // more than any of them
     constexpr float kSmallest = 0.25f;   // that an interface has
     scale = std::max(scale, kSmallest);
     Equipment& equipment = this->equipment();
     CaptureOptions tab = options;
-    tab.size = glm::ivec2(scale * glm::vec2(kPicture + kSideWidth, kTallest));
+    tab.size = glm::ivec2(scale * glm::vec2(kBeside + kSideWidth, kTallest));
     const PixelRect rect = equipment.open_interface(scene, tab, scale);
     const Frame frame = make_frame(scene, surfaces_.get(scene),
                                    {.rect = rect, .pixel_scale = scale, .marks = equipment.gui->interface.marks()});
