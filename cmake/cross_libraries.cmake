@@ -1,5 +1,5 @@
-# The libraries of a page, and of the core for another processor: zlib and libpng compiled from source, where FOLDER has them,
-# and the headers of the others, which are the same everywhere, as the system has them.
+# The libraries of a page, and of the core for another processor: zlib and libpng compiled from source, and
+# the headers of the others, which are the same everywhere, as the system has them.
 
 include(cmake/header_library.cmake)
 header_library(cross_glm glm)

@@ -55,7 +55,7 @@ std::string unknown_tab(const std::string& tab) {
 std::shared_ptr<const Surface> waited_for(Beside<std::shared_ptr<const Surface>>& loading, bool alone) {
     if (!alone || !is_terminal(stderr) || loading.ready(std::chrono::seconds(1))) return loading.get();
     struct Line {
-        Line() { say("working out the surface \u2026  Ctrl+C gives up"); }
+        Line() { say("computing the surface \u2026  Ctrl+C cancels"); }
         ~Line() { say("\r\x1b[K"); }
         static void say(const char* text) {
             std::fputs(text, stderr);

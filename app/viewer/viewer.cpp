@@ -19,7 +19,7 @@ constexpr int kFramesAfterEvent = 3;
 constexpr double kCarrying = 0.9;      // seconds from one space to the other, for the derivation's arrows
 constexpr double kLookForFile = 0.05;  // seconds, while one is being read, or a surface made
 constexpr double kQuietly = 0.3;       // seconds until it is said that a surface is being made
-constexpr std::string_view kMaking = "Working out the surface \u2026  Esc gives up";
+constexpr std::string_view kMaking = "Computing the surface \u2026  Esc cancels";
 
 bool is_more_than_a_scene(const Opened& opened) { return opened.lesson || opened.exercises; }
 
@@ -190,7 +190,7 @@ bool Viewer::give_up_surface() {
     if (document_.can_undo()) {
         document_.undo();
         follow_draft();
-        gui_.interface.show_note("Given up; Ctrl+Y tries again");
+        gui_.interface.show_note("Cancelled; Ctrl+Y tries again");
     }
     return true;
 }

@@ -170,7 +170,7 @@ TEST_F(PanelTest, AFormulaThatTakesLongCanBeGivenUp) {
         ASSERT_TRUE(viewer().making_surface());
         host_.time += 1.0;
         viewer().step();
-        EXPECT_EQ(message(), "Working out the surface \u2026  Esc gives up");
+        EXPECT_EQ(message(), "Computing the surface \u2026  Esc cancels");
         EXPECT_EQ(shown(), "x+y");
     };
     keys({ImGuiMod_Ctrl | ImGuiKey_F, ImGuiMod_Ctrl | ImGuiKey_A});

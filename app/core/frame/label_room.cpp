@@ -129,19 +129,19 @@ LabelRoom::LabelRoom(Pane& pane, double pixel_scale) : pane_(pane), scale_(pixel
     }
 }
 
-LabelRoom::Line LabelRoom::line_of(const Stroke& stroke) const {
-    const glm::dvec3 from = pane_.view.pixel({stroke.a}), to = pane_.view.pixel({stroke.b});
-    if (!(from.z > 0.0) || !(to.z > 0.0)) return {{}, {}, -1.0};
-    return {glm::dvec2(from), glm::dvec2(to), stroke.half_width / pane_.view.world_per_pixel({stroke.b})};
+std::optional<StrokeInPixels> in_pixels(const CameraView& view, const Stroke& stroke) {
+    const glm::dvec3 from = view.pixel({stroke.a}), to = view.pixel({stroke.b});
+    if (!(from.z > 0.0) || !(to.z > 0.0)) return std::nullopt;
+    return StrokeInPixels{glm::dvec2(from), glm::dvec2(to), stroke.half_width / view.world_per_pixel({stroke.b})};
 }
 
 void LabelRoom::keep_clear(const Stroke& stroke) {
-    if (const Line line = line_of(stroke); line.half_width >= 0.0) lines_.push_back(line);
+    if (const auto line = in_pixels(pane_.view, stroke)) lines_.push_back(*line);
 }
 
 double LabelRoom::clearance(const glm::dvec2& pixel) const {
     double least = std::numeric_limits<double>::infinity();
-    for (const Line& line : lines_) least = std::min(least, distance_to_segment(pixel, line.a, line.b));
+    for (const StrokeInPixels& line : lines_) least = std::min(least, distance_to_segment(pixel, line.a, line.b));
     return least;
 }
 
@@ -158,10 +158,9 @@ bool LabelRoom::is_free(const glm::dvec2& pixel, const std::string& text, Label:
 }
 
 bool LabelRoom::meets_word(const Stroke& stroke) const {
-    const Line line = line_of(stroke);
-    return line.half_width >= 0.0 && std::ranges::any_of(taken_, [&](const Box& box) {
-               return length_within(box.half + line.half_width, line.a - box.middle, line.b - box.middle) > 0.0;
-           });
+    const auto line = in_pixels(pane_.view, stroke);
+    return line &&
+           std::ranges::any_of(taken_, [&](const Box& box) { return line->length_in(box.middle, box.half) > 0.0; });
 }
 
 void LabelRoom::put_at(const glm::dvec2& pixel, const std::string& text, Label::Role role, const glm::vec3& color) {
@@ -169,21 +168,20 @@ void LabelRoom::put_at(const glm::dvec2& pixel, const std::string& text, Label::
     taken_.push_back({pixel, half_size(text, role)});
 }
 
-std::vector<LabelRoom::Line> LabelRoom::lines_near(const glm::dvec2& pixel, const glm::dvec2& reach) const {
-    std::vector<Line> near;
-    for (const Line& line : lines_)
-        if (length_within(reach + line.half_width, line.a - pixel, line.b - pixel) > 0.0) near.push_back(line);
+std::vector<StrokeInPixels> LabelRoom::lines_near(const glm::dvec2& pixel, const glm::dvec2& reach) const {
+    std::vector<StrokeInPixels> near;
+    for (const StrokeInPixels& line : lines_)
+        if (line.length_in(pixel, reach) > 0.0) near.push_back(line);
     return near;
 }
 
 // What a box hides, in pixels: of lines, of other words, and of itself beyond the pane's edge.
-double LabelRoom::hidden_by(const Box& box, const std::vector<Line>& near) const {
+double LabelRoom::hidden_by(const Box& box, const std::vector<StrokeInPixels>& near) const {
     double hidden = 0.0;
     const auto cover = [&](double length) {
         if (length > 0.0) hidden += kCrossed * scale_ + length;
     };
-    for (const Line& line : near)
-        cover(length_within(box.half + line.half_width + kMargin * scale_, line.a - box.middle, line.b - box.middle));
+    for (const StrokeInPixels& line : near) cover(line.length_in(box.middle, box.half + kMargin * scale_));
     for (const Box& other : taken_) {
         const glm::dvec2 common = box.half + other.half - glm::abs(box.middle - other.middle);
         if (common.x > 0.0 && common.y > 0.0) cover(2.0 * (common.x + common.y));
@@ -198,7 +196,7 @@ void LabelRoom::put_beside(const WantedLabel& wanted) {
     if (!(pixel.z > 0.0)) return;
     const glm::dvec2 half = half_size(wanted.text, Label::Role::Axis), size(pane_.rect.size), p(pixel);
     if (glm::any(glm::lessThan(p, glm::dvec2(0.0))) || glm::any(glm::lessThan(size, p))) return;
-    const std::vector<Line> near = lines_near(p, 2.0 * half + (kFarthest + kMargin) * scale_);
+    const std::vector<StrokeInPixels> near = lines_near(p, 2.0 * half + (kFarthest + kMargin) * scale_);
     Box best{p, half};
     double least = wanted.there ? 4.0 * hidden_by(best, near) : std::numeric_limits<double>::infinity();
     for (const double away : {7.0, 15.0, 26.0, 40.0, 58.0, kFarthest})

@@ -6,10 +6,27 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace normalscope {
+
+/// How much of a line lies within a box about 0.
+double length_within(const glm::dvec2& half, const glm::dvec2& a, const glm::dvec2& b);
+
+/// A stroke as a pane shows it, in its pixels.
+struct StrokeInPixels {
+    glm::dvec2 a, b;
+    double half_width;
+
+    /// How much of it lies within a box, which its own width makes larger.
+    double length_in(const glm::dvec2& middle, const glm::dvec2& half) const {
+        return length_within(half + half_width, a - middle, b - middle);
+    }
+};
+/// Empty where an end of it lies behind the eye.
+std::optional<StrokeInPixels> in_pixels(const CameraView& view, const Stroke& stroke);
 
 /// Finds places for a pane's labels where they hide neither each other nor the lines and arrows that they name. What
 /// a word takes is but estimated: fonts are not known here.
@@ -38,18 +55,13 @@ private:
     struct Box {
         glm::dvec2 middle, half;
     };
-    struct Line {
-        glm::dvec2 a, b;
-        double half_width;
-    };
-    Line line_of(const Stroke& stroke) const;  // of half_width < 0 where it lies behind the eye
-    double hidden_by(const Box& box, const std::vector<Line>& near) const;
-    std::vector<Line> lines_near(const glm::dvec2& pixel, const glm::dvec2& reach) const;
+    double hidden_by(const Box& box, const std::vector<StrokeInPixels>& near) const;
+    std::vector<StrokeInPixels> lines_near(const glm::dvec2& pixel, const glm::dvec2& reach) const;
 
     Pane& pane_;
     double scale_;
     std::vector<Box> taken_;
-    std::vector<Line> lines_;
+    std::vector<StrokeInPixels> lines_;
     std::vector<std::vector<glm::dvec2>> areas_;
 };
 
@@ -58,9 +70,6 @@ std::vector<glm::dvec2> outline_of(const Pane& pane, const Mesh& mesh,
                                    const Transform<World, Object>& world_from_object);
 /// How much of a box lies within a convex polygon, 0 to 1.
 double share_within(const std::vector<glm::dvec2>& convex, const glm::dvec2& low, const glm::dvec2& high);
-/// How much of a line lies within a box about 0.
-double length_within(const glm::dvec2& half, const glm::dvec2& a, const glm::dvec2& b);
-
 /// At last, when all is drawn: the words that the pane wants.
 void place_labels(Pane& pane, const Mesh& mesh, const Transform<World, Object>& world_from_object, double pixel_scale);
 

@@ -159,7 +159,8 @@ void add_arrows(Pane& pane, const Scene& scene, const WorldFromObject& m, const 
 
 // Arrows that are few enough to be told apart.
 void keep_clear_of_arrows(Pane& pane, std::span<const Site> sites) {
-    if (sites.size() > 400) return;
+    constexpr std::size_t kFew = 400;
+    if (sites.size() > kFew) return;
     for (const ArrowDraw& draw : pane.arrows)
         for (const Site& site : sites)
             if (const auto ends = ends_of(draw, site))

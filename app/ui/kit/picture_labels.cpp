@@ -20,8 +20,8 @@ namespace normalscope {
 
 namespace {
 
-constexpr float kLegendInLecture =
-    0.42f;  // of the picture, where words are large: rather than wider it is without names
+// Of the picture's width, where words are large: a legend that would be wider goes without its names.
+constexpr float kLegendInLecture = 0.42f;
 
 ImVec2 extent(const ImFont* font, std::string_view text) {
     return font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.data(), text.data() + text.size());
@@ -221,12 +221,8 @@ float hidden_by(const Box& box, const Frame& frame) {
                                                    high = glm::dvec2(box.high.x, box.high.y) - origin;
         hidden += kObject * share_within(pane.outline, low, high);
         for (const Stroke& stroke : pane.strokes) {
-            const glm::dvec3 a = pane.view.pixel({stroke.a}), b = pane.view.pixel({stroke.b});
-            const double wide = stroke.half_width / pane.view.world_per_pixel({stroke.b});
-            if (a.z > 0.0 && b.z > 0.0 &&
-                length_within(0.5 * (high - low) + wide, glm::dvec2(a) - 0.5 * (low + high),
-                              glm::dvec2(b) - 0.5 * (low + high)) > 0.0)
-                hidden += kLine;
+            const auto line = in_pixels(pane.view, stroke);
+            if (line && line->length_in(0.5 * (low + high), 0.5 * (high - low)) > 0.0) hidden += kLine;
         }
     }
     return static_cast<float>(hidden);

@@ -151,11 +151,11 @@ void stepper(const Look& look, AimedRay& ray, int last) {
     int by = steps_by_keys();
     if (!look.still) {
         if (icon_button(look, "##previous",
-                        {.icon = Icon::Previous, .about = "One step back (left arrow).", .enabled = ray.step > 0}))
+                        {.icon = Icon::Previous, .about = "Previous step (left arrow).", .enabled = ray.step > 0}))
             by = -1;
         ImGui::SameLine(0, look.px(2));
         if (icon_button(look, "##next",
-                        {.icon = Icon::Next, .about = "One step on (right arrow).", .enabled = ray.step < last}))
+                        {.icon = Icon::Next, .about = "Next step (right arrow).", .enabled = ray.step < last}))
             by = +1;
         ImGui::SameLine(0, look.px(8));
     }
