@@ -28,6 +28,9 @@ out vec4 color;
 
 const float HALF_WIDTH = 0.009;
 
+#ifdef SKY
+vec3 backdrop() { return sky; }  // where nothing of the ground is seen: the same, in far fewer steps
+#else
 vec3 backdrop() {
     float t = (ground - eye.y) / ray.y;
     vec2 at = eye.xz + t * ray.xz;
@@ -35,13 +38,14 @@ vec3 backdrop() {
     vec2 place = at / unit, pixel = fwidth(place) + 1e-5;
     vec2 away = 0.5 - abs(fract(place) - 0.5);
     vec2 covered = clamp((HALF_WIDTH - away) / pixel + 0.5, 0.0, 1.0) * min(2.0 * HALF_WIDTH / pixel, 1.0);
-    float fade = max(1.0 - 0.021 * dot(place, place), 0.0);
+    float fade = max(1.0 - 0.021 * dot(place, place), 0.0);  // these numbers are in core/picture/drawn_box.cpp, too
     vec2 in_shadow = (shadow * vec3(at, 1.0)).xy;
     float dark = max(1.0 - 0.3 * dot(in_shadow, in_shadow), 0.0);
     float amount = t > 0.0 ? grid_amount : 0.0;
     vec3 c = sky * (1.0 - 0.24 * amount * dark * dark * dark);
     return mix(c, grid_color, 0.7 * amount * fade * fade * max(covered.x, covered.y));
 }
+#endif
 
 void main() {
     color = vec4(backdrop(), 1.0);

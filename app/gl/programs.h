@@ -9,8 +9,10 @@
 
 namespace normalscope {
 
+/// Sky and ground. With RESOLVE what has been drawn lies over it, each pixel the mean of its samples: of a
+/// GL_TEXTURE_2D_MULTISAMPLE, or with APART of a GL_TEXTURE_2D. With SKY there is no ground.
 struct BackdropProgram : Program {
-    explicit BackdropProgram(std::string_view define = {}) : Program("backdrop.vert", "backdrop.frag", define) {}
+    explicit BackdropProgram(std::string_view define) : Program("backdrop.vert", "backdrop.frag", define) {}
 
     Slot<glm::mat4> world_from_clip{*this, "world_from_clip"};
     Slot<float> ray_depth{*this, "ray_depth"};
@@ -22,12 +24,6 @@ struct BackdropProgram : Program {
     Slot<float> unit{*this, "unit"};
     Slot<float> grid_amount{*this, "grid_amount"};
     Slot<glm::mat3> shadow{*this, "shadow"};
-};
-/// And over it what has been drawn, each pixel the mean of its samples: of a GL_TEXTURE_2D_MULTISAMPLE, or with APART of
-/// a GL_TEXTURE_2D.
-struct ResolvingProgram : BackdropProgram {
-    explicit ResolvingProgram(std::string_view define) : BackdropProgram(define) {}
-
     Slot<int> samples{*this, "samples"};
     Slot<glm::ivec2> drawn_low{*this, "drawn_low"};
     Slot<glm::ivec2> drawn_size{*this, "drawn_size"};

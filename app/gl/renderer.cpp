@@ -11,57 +11,58 @@
 
 namespace normalscope {
 
-void Resources::draw_backdrop(const BackdropProgram& program, const Frame& frame, const Pane& pane) {
-    const ThemeColors colors = theme_colors(frame.theme);
-    program.use();
-    program.world_from_clip = glm::mat4(glm::inverse(pane.view.clip_from_world()));
-    program.ray_depth = static_cast<float>(pane.view.ray_depth());
-    program.eye = pane.view.eye().xyz;
-    program.top_color = frame.plain_ground.value_or(colors.background_top);
-    program.bottom_color = frame.plain_ground.value_or(colors.background_bottom);
-    program.grid_color = colors.grid;
-    program.ground = frame.ground_height.value_or(0.0f);
-    program.unit = static_cast<float>(frame.unit);
-    program.grid_amount = frame.ground_height ? 1.0f : 0.0f;
-    program.shadow = frame.shadow_from_ground;
-    backdrop.draw();
-}
-
-const ResolvingProgram& Resources::resolving_program(GLenum texture) {
-    return resolving_programs.try_emplace(texture, texture == GL_TEXTURE_2D ? "RESOLVE\n#define APART" : "RESOLVE")
-        .first->second;
-}
-
 void Resources::draw_backdrop(const Frame& frame, const Pane& pane, const Target& target) {
-    // Where all of a pixel is written, Mesa compiles the shader a second time for tiles that are wholly covered.
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     const PixelRect rect = upright(pane.rect, target);
     look_at(rect);
-    // A picture by itself is not worth another program. From the second on, what has no samples does without theirs.
-    const bool apart = target.samples() == 1 || !resolving_programs.empty();
-    if (apart && !backdrop_program) backdrop_program.emplace();
-    if (target.samples() == 1) {
-        draw_backdrop(*backdrop_program, frame, pane);
-    } else {
-        const PixelRect sampled = upright(target.sampled(), target);
+    // Where all of a pixel is written, Mesa compiles the shader a second time for tiles that are wholly covered.
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    const PixelRect sampled = target.samples() > 1 ? upright(target.sampled(), target) : PixelRect{};
+    std::string resolve;
+    int samples = 1;
+    if (target.samples() > 1) {
         const Samples::Colors colors = target.held().colors();
-        const ResolvingProgram& resolving = resolving_program(colors.kind);
+        resolve = colors.kind == GL_TEXTURE_2D ? "RESOLVE\n#define APART" : "RESOLVE";
+        samples = colors.count;
         target.bind_picture();
         glActiveTexture(GL_TEXTURE0);
         glBindTexture(colors.kind, colors.texture);
-        const PixelRect within = apart ? common(rect, sampled) : rect;
-        scissor(within);
-        resolving.use();
-        resolving.samples = colors.count;
-        resolving.drawn_low = sampled.origin;
-        resolving.drawn_size = sampled.size;
-        resolving.drawn_step = target.held().size();
-        draw_backdrop(resolving, frame, pane);
-        if (apart)
-            for (const PixelRect& strip : around(rect, within)) {
-                scissor(strip);
-                draw_backdrop(*backdrop_program, frame, pane);
-            }
+    }
+    const auto draw = [&](const PixelRect& part, const std::string& defines) {
+        if (part.size.x <= 0 || part.size.y <= 0) return;
+        const BackdropProgram& program = backdrop_programs.try_emplace(defines, defines).first->second;
+        const ThemeColors colors = theme_colors(frame.theme);
+        scissor(part);
+        program.use();
+        program.world_from_clip = glm::mat4(glm::inverse(pane.view.clip_from_world()));
+        program.ray_depth = static_cast<float>(pane.view.ray_depth());
+        program.eye = pane.view.eye().xyz;
+        program.top_color = frame.plain_ground.value_or(colors.background_top);
+        program.bottom_color = frame.plain_ground.value_or(colors.background_bottom);
+        program.grid_color = colors.grid;
+        program.ground = frame.ground_height.value_or(0.0f);
+        program.unit = static_cast<float>(frame.unit);
+        program.grid_amount = frame.ground_height ? 1.0f : 0.0f;
+        program.shadow = frame.shadow_from_ground;
+        program.samples = samples;
+        program.drawn_low = sampled.origin;
+        program.drawn_size = sampled.size;
+        if (!resolve.empty()) program.drawn_step = target.held().size();
+        backdrop.draw();
+    };
+    // A picture by itself is not worth another program. From the second on, each pixel is given what it needs.
+    if (first_picture) {
+        draw(rect, resolve);
+    } else {
+        const PixelRect ground = upright(ground_box(frame, pane), target), with_samples = common(rect, sampled);
+        const auto draw_both = [&](const PixelRect& part, const std::string& defines) {
+            const PixelRect with_ground = common(part, ground);
+            draw(with_ground, defines);
+            for (const PixelRect& strip : around(part, with_ground))
+                draw(strip, defines.empty() ? "SKY" : defines + "\n#define SKY");
+        };
+        draw_both(with_samples, resolve);
+        for (const PixelRect& strip : around(rect, with_samples)) draw_both(strip, "");
+        scissor(rect);
     }
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
@@ -179,6 +180,7 @@ void Renderer::draw_again(const Frame& frame, Target& target, Beside beside) {
         resources_->draw_backdrop(frame, pane, target);
         if (target.samples() == 1) resources_->draw_pane(frame, pane);
     }
+    resources_->first_picture = false;
     glDisable(GL_SCISSOR_TEST);
 }
 

@@ -19,8 +19,7 @@ namespace normalscope {
 
 /// What lives on the GPU: programs and vertices, of which the surface's are kept until another surface comes.
 struct Resources {
-    std::optional<BackdropProgram> backdrop_program;
-    std::map<GLenum, ResolvingProgram> resolving_programs;  // by the kind of texture that they read
+    std::map<std::string, BackdropProgram> backdrop_programs;  // by what they define; compiled when first wanted
     SceneProgram scene_program;
     std::optional<SceneProgram> arrow_field_program;
     std::map<std::string, SurfaceProgram> surface_programs;  // by what they define; compiled when first wanted
@@ -28,6 +27,7 @@ struct Resources {
     std::optional<Tracer> tracer;
     int draft_coarseness = 2;
     PaneVertices backdrop;
+    bool first_picture = true;
     SolidVertices solids;
 
     std::shared_ptr<const Surface> surface;
@@ -47,8 +47,6 @@ struct Resources {
 
     /// And over it the target's samples, if there are any.
     void draw_backdrop(const Frame& frame, const Pane& pane, const Target& target);
-    void draw_backdrop(const BackdropProgram& program, const Frame& frame, const Pane& pane);
-    const ResolvingProgram& resolving_program(GLenum texture);
     void draw_pane(const Frame& frame, const Pane& pane);
     void draw_surface(const Frame& frame, const Pane& pane, const SurfaceDraw& draw);
     void draw_traced(const Frame& frame, const Pane& pane, const SurfaceDraw& draw);

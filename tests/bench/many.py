@@ -75,9 +75,9 @@ def arrows(bench, mesh, count, seconds, mib=None):
     """What so many arrows add to a capture of a mesh, and the memory of all of it."""
     bench.progress(f"{count:,} arrows")
     show = ("--set", "view=single", "--set", "surface=" + '{"mesh":"' + str(mesh) + '"}', "--set", f"arrows.limit={count}")
-    with_arrows, without = ([bench.capture(*show, "--set", f"arrows.show={kinds}").run() for _ in range(3)]
-                            for kinds in ('["inverse-transpose"]', "[]"))
-    cost = statistics.median(r.seconds for r in with_arrows) - statistics.median(r.seconds for r in without)
+    programs = [bench.capture(*show, "--set", f"arrows.show={kinds}") for kinds in ('["inverse-transpose"]', "[]")]
+    with_arrows, without = bench.turns(programs, cold=False)
+    cost = statistics.median(one.seconds - other.seconds for one, other in zip(with_arrows, without))
     bench.row(f"{count:,} arrows, above the same without", f"{cost:.2f} s", goal=f"{seconds} s", reached=cost <= seconds)
     if mib:
         peak = max(r.kib for r in with_arrows) / MIB

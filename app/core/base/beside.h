@@ -14,6 +14,7 @@
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace normalscope {
 
@@ -140,6 +141,18 @@ template <class Work>
         return Beside<std::invoke_result_t<std::decay_t<Work>&, const Stop&>>(std::forward<Work>(work), begin);
     else
         return Beside<std::invoke_result_t<std::decay_t<Work>&>>(std::forward<Work>(work), begin);
+}
+
+/// work(part, begin, end) for each of so many parts of 0 to `count`, each in a thread of its own, until all are done. Parts begin
+/// at multiples of `step`.
+template <class Work>
+void in_parts(std::size_t parts, std::size_t count, const Work& work, std::size_t step = 1) {
+    const auto begin_of = [&](std::size_t part) { return part == parts ? count : count / step * part / parts * step; };
+    std::vector<Beside<void>> others;
+    for (std::size_t part = 1; part < parts; ++part)
+        others.push_back(beside([&, part] { work(part, begin_of(part), begin_of(part + 1)); }));
+    work(0, begin_of(0), begin_of(1));
+    for (Beside<void>& other : others) other.get();
 }
 
 }  // namespace normalscope

@@ -4,8 +4,11 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
 
 namespace normalscope {
@@ -98,6 +101,28 @@ PixelRect drawn_box(const Surface& surface, const Pane& pane) {
     }
     for (const auto* solids : {&pane.solids, &pane.translucent})
         for (const SolidVertex& vertex : *solids) bounds.add(vertex.position);
+    PixelRect box = bounds.box(pane.rect.size);
+    box.origin += pane.rect.origin;
+    return box;
+}
+
+PixelRect ground_box(const Frame& frame, const Pane& pane) {
+    if (!frame.ground_height) return {pane.rect.origin, {0, 0}};
+    // As backdrop.frag lets them fade.
+    const double grid = frame.unit / std::sqrt(0.021), shadow = 1.0 / std::sqrt(0.3);
+    const glm::dmat3 to_shadow(frame.shadow_from_ground);
+    const bool casts_shadow = glm::determinant(to_shadow) != 0.0;
+    const glm::dmat3 from_shadow = casts_shadow ? glm::inverse(to_shadow) : glm::dmat3(0.0);
+    constexpr int kCorners = 16;  // of a polygon around a circle
+    const double around = 1.0 / std::cos(std::numbers::pi / kCorners);
+    Bounds bounds(pane.view);
+    const auto add = [&](const glm::dvec2& at) { bounds.add({at.x, *frame.ground_height, at.y}); };
+    for (int i = 0; i < kCorners; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / kCorners;
+        const glm::dvec2 corner = around * glm::dvec2(std::cos(angle), std::sin(angle));
+        add(grid * corner);
+        if (casts_shadow) add(glm::dvec2(from_shadow * glm::dvec3(shadow * corner, 1.0)));
+    }
     PixelRect box = bounds.box(pane.rect.size);
     box.origin += pane.rect.origin;
     return box;

@@ -79,15 +79,9 @@ std::array<Interval, 3> intervals(const Box& box) {
 template <class Work>
 void in_parts(const Program& program, std::size_t points, const Work& work) {
     constexpr std::size_t kWorthAThread = 500'000;  // steps of points, some milliseconds
-    const std::size_t threads = threads_for(points * program.size(), kWorthAThread);
-    const auto begin_of = [&](std::size_t part) {
-        return part == threads ? points : points / kLanes * part / threads * kLanes;
-    };
-    std::vector<Beside<void>> others;
-    for (std::size_t part = 1; part < threads; ++part)
-        others.push_back(beside([&, part] { work(begin_of(part), begin_of(part + 1)); }));
-    work(0, begin_of(1));
-    for (Beside<void>& other : others) other.get();
+    normalscope::in_parts(
+        threads_for(points * program.size(), kWorthAThread), points,
+        [&](std::size_t, std::size_t begin, std::size_t end) { work(begin, end); }, kLanes);
 }
 
 // 1/0 is infinite in the middle of a computation; as a result it has no real value.

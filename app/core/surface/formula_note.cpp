@@ -103,14 +103,16 @@ std::string point_text(const glm::dvec3& p, double bound) {
 }
 
 // f may be negative within a part far smaller than the grid's cells: down to where two doubles are the same.
-void look_around(const ImplicitSurface& surface, Zeros& zeros) {
+void look_around(const ImplicitSurface& surface, Zeros& zeros, const Stop& stop) {
     const double bound = surface.source().bound;
-    for (const glm::dvec3& p : zeros.places)
+    for (const glm::dvec3& p : zeros.places) {
+        go_on_unless(stop);
         for (int step = 0; step < 30; ++step)
             for (int k = 0; k < 8; ++k) {
                 const glm::dvec3 side(k & 1 ? 1.0 : -0.9, k & 2 ? 0.8 : -1.0, k & 4 ? 0.9 : -0.8);
                 note_sign(surface, p + 1e-2 * std::pow(0.3, step) * bound * side, zeros);
             }
+    }
 }
 
 constexpr double kRounding = 1e-300;  // of a bound that is 0
@@ -134,10 +136,11 @@ std::string thin(const Zeros& zeros, double bound, bool sure) {
 }
 
 // Where f becomes 0 just where its values end, as sqrt(1 − x²) does.
-std::optional<glm::dvec3> zero_at_an_edge(const ImplicitSurface& surface) {
+std::optional<glm::dvec3> zero_at_an_edge(const ImplicitSurface& surface, const Stop& stop) {
     const double step = 2.0 * surface.source().bound / kTrialPoints;
     const auto f = [&](const glm::dvec3& p) { return std::abs(surface.at({p}).value); };
-    for (const glm::dvec3& start : surface.points_throughout(kTrialPoints))
+    for (const glm::dvec3& start : surface.points_throughout(kTrialPoints)) {
+        go_on_unless(stop);
         for (glm::length_t k = 0; k < 6; ++k) {
             glm::dvec3 in = start, out = start;
             out[k / 2] += k % 2 == 0 ? step : -step;
@@ -148,6 +151,7 @@ std::optional<glm::dvec3> zero_at_an_edge(const ImplicitSurface& surface) {
             }
             if (f(in) < 1e-3 * f(start)) return in;
         }
+    }
     return std::nullopt;
 }
 
@@ -162,12 +166,15 @@ FormulaNote on_mesh(const ImplicitSurface& surface, const Mesh& mesh) {
 }
 
 // Of what has none, but zeros that were found.
-FormulaNote on_zeros(const ImplicitSurface& surface, Zeros zeros, const std::string& within) {
+FormulaNote on_zeros(const ImplicitSurface& surface, Zeros zeros, const std::string& within, const Stop& stop) {
     const glm::dvec3 first = zeros.places.front();
     formulas::Effort effort{kMostEffort};
     bool sheet = false;
-    for (const glm::dvec3& zero : zeros.places) sheet = sheet || is_sheet(surface, zero, effort);
-    look_around(surface, zeros);
+    for (const glm::dvec3& zero : zeros.places) {
+        go_on_unless(stop);
+        sheet = sheet || is_sheet(surface, zero, effort);
+    }
+    look_around(surface, zeros, stop);
     if (zeros.below && zeros.above)
         return {"f changes its sign within " + within + ", as at " + point_text(first, surface.source().bound) +
                 ", but in parts so thin that only rays find them: there are no triangles, and no arrows."};
@@ -194,8 +201,8 @@ FormulaNote note_on(const ImplicitSurface& surface, const Mesh& mesh, const Stop
     const bool may_jump = formulas::may_jump(surface.program());
     if (const auto met = met_by_rays(surface, stop); met && (!may_jump || surface.lies_on(*met)))
         zeros.places.insert(zeros.places.begin(), *met);
-    if (!zeros.places.empty()) return on_zeros(surface, std::move(zeros), within);
-    if (const auto edge = zero_at_an_edge(surface))
+    if (!zeros.places.empty()) return on_zeros(surface, std::move(zeros), within, stop);
+    if (const auto edge = zero_at_an_edge(surface, stop))
         return {"f is 0 only where it stops being defined, as at " + point_text(*edge, surface.source().bound) +
                     ": it changes its sign nowhere within " + within + ". Nothing is drawn.",
                 false};

@@ -342,7 +342,7 @@ Mesh polygonised(const ImplicitSurface& surface, int cells, const Stop& stop) {
     const glm::dvec3 size = around.high - around.low, step(largest(size) / cells);
     SurfaceNet net(surface, around, glm::min(step, size / kThin), stop);
     if (net.has_both_signs()) mesh = net.mesh();
-    return mesh.triangles.empty() ? ray_mesh(surface, around, cells) : mesh;
+    return mesh.triangles.empty() ? ray_mesh(surface, around, cells, stop) : mesh;
 }
 
 }  // namespace normalscope

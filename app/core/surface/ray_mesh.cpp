@@ -1,6 +1,7 @@
 #include "core/surface/ray_mesh.h"
 
 #include "core/mesh/closed_mesh.h"
+#include "core/surface/stopped.h"
 
 #include <glm/geometric.hpp>
 
@@ -41,12 +42,13 @@ std::vector<glm::dvec3> ends(const ImplicitSurface& surface, const Ray<Object>& 
 }
 
 RayGrid cast(const ImplicitSurface& surface, const formulas::Box& box, int cells, glm::length_t axis,
-             std::int64_t most_effort) {
+             std::int64_t most_effort, const Stop& stop) {
     RayGrid grid{.axis = axis};
     const glm::dvec3 size = box.high - box.low;
     formulas::Effort effort{most_effort};
     for (int j = 0; j < cells; ++j)
         for (int i = 0; i < cells; ++i) {
+            go_on_unless(stop);
             Ray<Object> ray{{box.low}, {glm::dvec3(0.0)}};
             ray.origin.xyz[axis] -= 0.01 * size[axis];
             ray.origin.xyz[(axis + 1) % 3] += size[(axis + 1) % 3] * (i + 0.5) / cells;
@@ -64,14 +66,14 @@ RayGrid cast(const ImplicitSurface& surface, const formulas::Box& box, int cells
 
 }  // namespace
 
-Mesh ray_mesh(const ImplicitSurface& surface, const formulas::Box& box, int cells) {
+Mesh ray_mesh(const ImplicitSurface& surface, const formulas::Box& box, int cells, const Stop& stop) {
     RayGrid best;
     for (glm::length_t axis = 0; axis < 3; ++axis) {
-        RayGrid grid = cast(surface, box, kTrialRays, axis, kTrialEffort);
+        RayGrid grid = cast(surface, box, kTrialRays, axis, kTrialEffort, stop);
         if (grid.points.size() > best.points.size()) best = std::move(grid);
     }
     if (best.points.empty()) return {};
-    best = cast(surface, box, cells, best.axis, kMostEffort);
+    best = cast(surface, box, cells, best.axis, kMostEffort, stop);
     Mesh mesh;
     mesh.positions = best.points;
     for (const glm::dvec3& p : mesh.positions) {

@@ -132,16 +132,9 @@ ByRule<std::optional<double>> worst_dots(std::span<const glm::dvec3> normals,
         one.below.fill(1.0);
     }
     std::vector<WorstByRule> worst(threads, none);
-    {
-        std::vector<Beside<void>> workers;
-        const std::size_t part = (normals.size() + threads - 1) / threads;
-        const auto from = [&](std::size_t i) { return std::min(i * part, normals.size()); };
-        for (std::size_t i = 1; i < threads; ++i)
-            workers.push_back(
-                beside([&, i] { look_at(normals.subspan(from(i), from(i + 1) - from(i)), task, worst[i]); }));
-        look_at(normals.subspan(0, from(1)), task, worst[0]);
-        for (Beside<void>& worker : workers) worker.get();
-    }
+    in_parts(threads, normals.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
+        look_at(normals.subspan(begin, end - begin), task, worst[part]);
+    });
     ByRule<std::optional<double>> result;
     for (std::size_t k = 0; k < maps.size(); ++k) {
         if (!maps[k]) continue;
