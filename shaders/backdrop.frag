@@ -51,15 +51,19 @@ void main() {
     color = vec4(backdrop(), 1.0);
 #ifdef RESOLVE
     ivec2 at = ivec2(gl_FragCoord.xy) - drawn_low;
+#ifdef SAMPLES  // and each pixel has them
+    const int count = SAMPLES;
+#else
     bool inside = min(at.x, at.y) >= 0 && at.x < drawn_size.x && at.y < drawn_size.y;
     int count = inside ? samples : 0;
+#endif
     vec4 sum = vec4(0.0);
 #ifdef APART
     for (int i = 0; i < count; ++i) sum += texelFetch(drawn, at + ivec2(i & 1, i >> 1) * drawn_step, 0);
 #else
     for (int i = 0; i < count; ++i) sum += texelFetch(drawn, at, i);
 #endif
-    sum /= float(samples);
+    sum /= float(max(count, 1));
     color.rgb = sum.rgb + (1.0 - sum.a) * color.rgb;
 #endif
 }

@@ -120,6 +120,7 @@ std::string handout(const HandoutCommand& command) {
             const Image image = studio
                                     .capture(step.scene, {.size = command.size,
                                                           .scale = kLargeWords * usual_scale(command.size),
+                                                          .legend_corner = Frame::LegendCorner::WhereFree,
                                                           .marks = marks_of(step)})
                                     .image;
             html += "<section>\n" + picture_html(step, data_of(image), live ? live->attributes(step.scene) : "");

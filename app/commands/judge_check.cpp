@@ -62,7 +62,8 @@ private:
         std::error_code ignored;
         if (!fs::exists(*check_.reference, ignored)) {
             result_.reference_differs = true;
-            return fail("there is no reference " + check_.reference->string() + "; --update writes it");
+            return fail("there is no reference " + check_.reference->string() +
+                        (command_.update ? " yet" : "; --update writes it"));
         }
         const Image expected = read_png(*check_.reference);
         const Verdict verdict = ::normalscope::judge(actual_, expected, check_.tolerance);

@@ -81,6 +81,7 @@ int run(const SlidesCommand& command) {
                                      .scale = 1.5f * usual_scale(command.size),
                                      .tab = step.tab,
                                      .tab_is = CaptureOptions::TabIs::Whole,
+                                     .legend_corner = Frame::LegendCorner::WhereFree,
                                      .marks = marks_of(step)};
         const Image image = studio.capture(step.scene, options).image;
         write_png(command.folder / file_name(i), image);

@@ -259,6 +259,7 @@ Capture Studio::draw(const Scene& scene, const CaptureOptions& options, const st
         if (const auto line = equipment_->gui->interface.marks().line) marks.line = line;
     Frame frame =
         make_frame(scene, surface, {.rect = rect, .pixel_scale = scale, .handles = options.panel, .marks = marks});
+    frame.legend_corner = options.legend_corner;
     if (plain_ground) {
         frame.plain_ground = plain_ground;
         frame.ground_height.reset();

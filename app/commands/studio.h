@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/base/context_choice.h"
+#include "core/frame/frame.h"
 #include "core/frame/step_marks.h"
 #include "core/image/ground.h"
 #include "core/image/image.h"
@@ -31,7 +32,8 @@ struct CaptureOptions {
     std::shared_ptr<const Lesson> lesson{};
     std::size_t step = 0;
     std::optional<std::size_t> answer{};  ///< the choice that has been made of its question
-    StepMarks marks{};                    ///< where there is no interface, which knows its lesson's own
+    Frame::LegendCorner legend_corner = Frame::LegendCorner::LowerLeft;
+    StepMarks marks{};  ///< where there is no interface, which knows its lesson's own
 };
 
 struct Capture {

@@ -60,7 +60,7 @@ void Resources::draw_backdrop(const Frame& frame, const Pane& pane, const Target
             for (const PixelRect& strip : around(part, with_ground))
                 draw(strip, defines.empty() ? "SKY" : defines + "\n#define SKY");
         };
-        draw_both(with_samples, resolve);
+        draw_both(with_samples, resolve + "\n#define SAMPLES " + std::to_string(samples));
         for (const PixelRect& strip : around(rect, with_samples)) draw_both(strip, "");
         scissor(rect);
     }

@@ -173,6 +173,8 @@ struct Frame {
     std::optional<float> ground_height;     ///< of the grid; empty: no grid
     glm::mat3 shadow_from_ground{0.0f};     ///< (x, z, 1) to a disc that is 1 where the object's shadow ends
     std::vector<LegendEntry> legend;
+    /// Where that may stand: of a picture that moves it keeps its corner.
+    enum class LegendCorner { LowerLeft, WhereFree } legend_corner = LegendCorner::LowerLeft;
     std::optional<ColorKey> color_key;
     Quality quality = Quality::Fine;
     std::optional<ProbeInWorld> probe;

@@ -235,11 +235,12 @@ struct Cards {
     std::optional<Box> key{};
 };
 
-// In a lecture, in the corner of the picture where it hides the least: the lower left one, unless another is better.
+// In a lecture, or where it is asked for, in the corner of the picture where it hides the least: the lower left one, unless
+// another is better.
 Box legend_box(const Look& look, const Frame& frame, const Writer& writer, const Box& room, ImVec2 size) {
     constexpr float kElsewhere = 5.0f, kWord = 1000.0f;
     const Box usual{{room.low.x, room.high.y - size.y}, {room.low.x + size.x, room.high.y}};
-    if (!look.fonts.caption) return usual;
+    if (!look.fonts.caption && frame.legend_corner == Frame::LegendCorner::LowerLeft) return usual;
     const std::vector<Box> words = label_boxes(frame, writer);
     Box best = usual;
     float least = std::numeric_limits<float>::infinity();
