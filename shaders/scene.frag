@@ -49,7 +49,11 @@ uniform float color_coded;  // 1: an arrow or mark, whose colour is its meaning
 uniform vec3 inside_color;
 uniform float unit_at_pixels;  // 1: make interpolated normals of unit length again, as one should
 uniform float zero_is_black;   // 1: show a normal of length zero as the NaN that it would become
+#ifdef GHOST
+const float ghost = 1.0;
+#else
 uniform float ghost;       // 1: a glassy shell, clearest where one looks straight through
+#endif
 #ifdef ERROR_MAP
 uniform mat4 naive_matrix;
 uniform float naive_w;

@@ -12,13 +12,17 @@ namespace normalscope {
 
 namespace {
 
-// What the program of a surface's shaders defines; nothing for the one that is always there.
-std::string defines(const Frame& frame, const SurfaceDraw& draw) {
+bool is_ghost(const SurfaceDraw& draw) { return draw.color.a < 1.0f; }
+
+// What the program of a surface's shaders defines; nothing for the one that is always there. A ghost needs no light, which is most
+// of what a surface costs; a picture by itself is not worth another program.
+std::string defines(const Frame& frame, const SurfaceDraw& draw, bool first_picture) {
     std::string result;
-    if (draw.shows == SurfaceColor::Error && frame.error_maps) result = "ERROR_MAP";
-    if (draw.shows == SurfaceColor::Normals) result = "NORMALS";
-    if (!is_affine(glm::dmat4(draw.world_from_object)))
-        result += (result.empty() ? "" : "\n#define ") + std::string("PROJECTIVE");
+    const auto add = [&](const char* word) { result += (result.empty() ? "" : "\n#define ") + std::string(word); };
+    if (draw.shows == SurfaceColor::Error && frame.error_maps) add("ERROR_MAP");
+    if (draw.shows == SurfaceColor::Normals) add("NORMALS");
+    if (!is_affine(glm::dmat4(draw.world_from_object))) add("PROJECTIVE");
+    if (is_ghost(draw) && !first_picture) add("GHOST");
     return result;
 }
 
@@ -57,7 +61,7 @@ void Resources::set_look(const SceneProgram& program, const Pane& pane, const Su
     program.outside = draw.outside;
     program.color_coded = 0.0f;
     program.inside_color = draw.inside_color;
-    program.ghost = draw.color.a < 1.0f ? 1.0f : 0.0f;
+    program.ghost = is_ghost(draw) ? 1.0f : 0.0f;
 }
 
 void Resources::set_error_maps(const SurfaceProgram& program, const Frame& frame) {
@@ -73,7 +77,7 @@ void Resources::draw_surface(const Frame& frame, const Pane& pane, const Surface
     const bool as_mesh =
         !draws_floats() || (frame.quality == Quality::Sketch && !(tracer && tracer->ready(*frame.surface->implicit)));
     if (draw.traced_object_from_world && !as_mesh) return draw_traced(frame, pane, draw);
-    const std::string wanted = defines(frame, draw);
+    const std::string wanted = defines(frame, draw, first_picture);
     const SceneProgram* program = &scene_program;
     if (!wanted.empty()) program = &surface_programs.try_emplace(wanted, wanted).first->second;
     begin(*program, frame, pane);
@@ -96,7 +100,7 @@ void Resources::draw_traced(const Frame& frame, const Pane& pane, const SurfaceD
     for (glm::vec2& place : shifts) place -= 0.5f;
     if (fine && only_sample) shifts = {*only_sample};
     if (!tracer) tracer.emplace();
-    const std::string wanted = defines(frame, draw);
+    const std::string wanted = defines(frame, draw, first_picture);
     const TracedProgram& program = traced_programs.try_emplace(wanted, wanted).first->second;
     tracer->trace(*frame.surface->implicit, pane.view, (pane.rect.size + coarseness - 1) / coarseness,
                   *draw.traced_object_from_world, shifts);
