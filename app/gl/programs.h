@@ -10,7 +10,8 @@
 namespace normalscope {
 
 /// Sky and ground. With RESOLVE what has been drawn lies over it, each pixel the mean of its samples: of a
-/// GL_TEXTURE_2D_MULTISAMPLE, or with APART of a GL_TEXTURE_2D; where all pixels have them, with their number as SAMPLES. With SKY there is no ground.
+/// GL_TEXTURE_2D_MULTISAMPLE, or with APART of a GL_TEXTURE_2D. SAMPLES is how many, where each pixel has them. With SKY there
+/// is no ground.
 struct BackdropProgram : Program {
     explicit BackdropProgram(std::string_view define) : Program("backdrop.vert", "backdrop.frag", define) {}
 

@@ -28,6 +28,12 @@ def xdotool(*words):
                           timeout=PATIENCE, text=True).stdout.split()
 
 
+def own(errors):
+    """Without what Wine tells of a fault: in its own services, which write here as well. After one of the program's own it
+    would not end with 0."""
+    return b"".join(line for line in errors.splitlines(keepends=True) if not line.startswith(b"wine: "))
+
+
 class WindowTest(unittest.TestCase):
     def test_it_opens_saves_and_closes(self):
         with tempfile.TemporaryDirectory(prefix="räume-") as name:
@@ -52,7 +58,7 @@ class WindowTest(unittest.TestCase):
                 self.assertRegex(command, r'^normalscope capture "[A-Z]:\\.*räume-.*\\saved\.json" -o picture\.png ')
                 xdotool("key", "ctrl+q")
                 out, errors = program.communicate(timeout=PATIENCE)
-                self.assertEqual((program.returncode, out, errors), (0, b"", b""))
+                self.assertEqual((program.returncode, out, own(errors)), (0, b"", b""))
                 users = pathlib.Path(os.environ.get("WINEPREFIX", pathlib.Path.home() / ".wine")) / "drive_c" / "users"
                 self.assertTrue(list(users.glob("*/AppData/Roaming/normalscope/settings.json")))
             finally:
