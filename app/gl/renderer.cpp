@@ -8,8 +8,27 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <string>
 
 namespace normalscope {
+
+namespace {
+
+void set_sky_and_ground(const BackdropProgram& program, const Frame& frame, const Pane& pane) {
+    const ThemeColors colors = theme_colors(frame.theme);
+    program.world_from_clip = glm::mat4(glm::inverse(pane.view.clip_from_world()));
+    program.ray_depth = static_cast<float>(pane.view.ray_depth());
+    program.eye = pane.view.eye().xyz;
+    program.top_color = frame.plain_ground.value_or(colors.background_top);
+    program.bottom_color = frame.plain_ground.value_or(colors.background_bottom);
+    program.grid_color = colors.grid;
+    program.ground = frame.ground_height.value_or(0.0f);
+    program.unit = static_cast<float>(frame.unit);
+    program.grid_amount = frame.ground_height ? 1.0f : 0.0f;
+    program.shadow = frame.shadow_from_ground;
+}
+
+}  // namespace
 
 void Resources::draw_backdrop(const Frame& frame, const Pane& pane, const Target& target) {
     const PixelRect rect = upright(pane.rect, target);
@@ -30,19 +49,9 @@ void Resources::draw_backdrop(const Frame& frame, const Pane& pane, const Target
     const auto draw = [&](const PixelRect& part, const std::string& defines) {
         if (part.size.x <= 0 || part.size.y <= 0) return;
         const BackdropProgram& program = backdrop_programs.try_emplace(defines, defines).first->second;
-        const ThemeColors colors = theme_colors(frame.theme);
         scissor(part);
         program.use();
-        program.world_from_clip = glm::mat4(glm::inverse(pane.view.clip_from_world()));
-        program.ray_depth = static_cast<float>(pane.view.ray_depth());
-        program.eye = pane.view.eye().xyz;
-        program.top_color = frame.plain_ground.value_or(colors.background_top);
-        program.bottom_color = frame.plain_ground.value_or(colors.background_bottom);
-        program.grid_color = colors.grid;
-        program.ground = frame.ground_height.value_or(0.0f);
-        program.unit = static_cast<float>(frame.unit);
-        program.grid_amount = frame.ground_height ? 1.0f : 0.0f;
-        program.shadow = frame.shadow_from_ground;
+        set_sky_and_ground(program, frame, pane);
         program.samples = samples;
         program.drawn_low = sampled.origin;
         program.drawn_size = sampled.size;
