@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <random>
 
 namespace normalscope {
 
@@ -152,9 +153,16 @@ const ArrowField::Kind& ArrowField::kind(ArrowLook look) {
     const std::size_t most = std::min(SiteClusters::kMost, sites_.size());
     std::vector<Vertex> vertices;
     std::vector<GLuint> corners;
+    std::mt19937 random;  // the same everywhere, by the standard
     for (std::size_t i = 0; i < most; ++i) {
+        // Arrows that touch their neighbours would merge into a skin, if each had not more or less light than the next.
+        const float light =
+            crowded ? 0.5f + 0.5f * static_cast<float>(random()) / static_cast<float>(random.max()) : 1.0f;
         for (const GLuint corner : outline.corners) corners.push_back(static_cast<GLuint>(vertices.size()) + corner);
-        vertices.insert(vertices.end(), outline.vertices.begin(), outline.vertices.end());
+        for (Vertex vertex : outline.vertices) {
+            vertex.own_color.r = static_cast<std::uint8_t>(light * static_cast<float>(vertex.own_color.r));
+            vertices.push_back(vertex);
+        }
     }
     fill_scene_vertices(kind.array, kind.shapes, vertices);
     bind_and_fill(kind.corners, GL_ELEMENT_ARRAY_BUFFER, corners.size() * sizeof(GLuint), corners.data());

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 
 namespace normalscope {
@@ -37,7 +38,7 @@ std::shared_ptr<const Surface> sheet(std::uint32_t a_side) {
     return surface;
 }
 
-double share_of_green(const std::shared_ptr<const Surface>& surface, double azimuth) {
+Image picture_of(const std::shared_ptr<const Surface>& surface, double azimuth) {
     Scene scene;
     for (const char* set : {"view=single", "stack=[]", "show.grid=false", "show.axes=false", "show.probe=false",
                             "show.tangent_plane=false", "arrows.show=[\"inverse-transpose\"]", "arrows.length=0.03"})
@@ -47,7 +48,11 @@ double share_of_green(const std::shared_ptr<const Surface>& surface, double azim
     Target target(kSize, 1);
     Renderer renderer;
     renderer.draw(frame, target);
-    const Image image = target.read();
+    return target.read();
+}
+
+double share_of_green(const std::shared_ptr<const Surface>& surface, double azimuth) {
+    const Image image = picture_of(surface, azimuth);
     int green = 0, all = 0;
     for (int y = 100; y < 200; ++y)
         for (int x = 100; x < 200; ++x) {
@@ -65,6 +70,21 @@ TEST(ArrowField, ArrowsThatPointAtTheEyeHideTheSurface) {
         const auto surface = sheet(a_side);
         EXPECT_GT(share_of_green(surface, 0.0), 0.95) << surface->arrows.size() << " arrows from in front";
         EXPECT_GT(share_of_green(surface, 40.0), 0.95) << surface->arrows.size() << " arrows askew";
+    }
+}
+
+// All point the same way in the same light: what tells them apart is that each has more or less of it than the next.
+TEST(ArrowField, CrowdedArrowsDoNotMergeIntoASkin) {
+    need_context();
+    for (const std::uint32_t a_side : {150u, 230u}) {
+        const Image image = picture_of(sheet(a_side), 40.0);
+        std::set<std::uint8_t> greens;
+        for (int y = 100; y < 200; ++y)
+            for (int x = 100; x < 200; ++x)
+                if (const std::uint8_t* pixel = image.pixel(x, y); pixel[1] > pixel[0] + 25) greens.insert(pixel[1]);
+        ASSERT_FALSE(greens.empty());
+        EXPECT_GT(*greens.rbegin() - *greens.begin(), 40) << a_side * a_side << " arrows";
+        EXPECT_GT(greens.size(), 30u) << a_side * a_side << " arrows";
     }
 }
 

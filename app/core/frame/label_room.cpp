@@ -10,15 +10,17 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 namespace normalscope {
 
 namespace {
 
-constexpr double kFarthest = 80.0;  ///< of a word from what it names, in logical pixels
-constexpr double kMargin = 3.0;     ///< between a word and a line, in logical pixels
-constexpr double kCrossed = 60.0;   ///< what it costs to lie on a line or on another word, however little
-constexpr double kInArea = 70.0, kOnObject = 22.0;  ///< what it costs to lie within one
+constexpr double kFarthest = 80.0, kBeyondArrows = 130.0;  ///< of a word from what it names, in logical pixels
+constexpr double kAboveTitle = 14.0;                       ///< in logical pixels
+constexpr double kMargin = 3.0;                            ///< between a word and a line, in logical pixels
+constexpr double kCrossed = 60.0;  ///< what it costs to lie on a line or on another word, however little
+constexpr double kInArea = 70.0, kOnArrows = 240.0, kOnObject = 22.0;  ///< what it costs to lie within one
 
 double distance_to_segment(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
     const glm::dvec2 ab = b - a;
@@ -101,16 +103,20 @@ double share_within(const std::vector<glm::dvec2>& convex, const glm::dvec2& low
     return within / static_cast<double>(kAcross * kDown);
 }
 
-std::vector<glm::dvec2> outline_of(const Pane& pane, const Mesh& mesh,
+std::vector<glm::dvec2> outline_of(const Pane& pane, const Surface& surface,
                                    const Transform<World, Object>& world_from_object) {
     constexpr std::size_t kMost = 2000;
     std::vector<glm::dvec2> points;
-    for (std::size_t i = 0; i < mesh.positions.size(); i += 1 + mesh.positions.size() / kMost) {
-        const Point<Object> p{mesh.positions[i]};
-        if (!world_from_object.reaches(p)) continue;
-        const glm::dvec3 pixel = pane.view.pixel(world_from_object(p));
-        if (pixel.z > 0.0) points.emplace_back(pixel);
-    }
+    const auto add = [&](const glm::dvec3& world) {
+        if (const glm::dvec3 pixel = pane.view.pixel({world}); pixel.z > 0.0) points.emplace_back(pixel);
+    };
+    const std::vector<glm::dvec3>& positions = surface.mesh.positions;
+    for (std::size_t i = 0; i < positions.size(); i += 1 + positions.size() / kMost)
+        if (const Point<Object> p{positions[i]}; world_from_object.reaches(p)) add(world_from_object(p).xyz);
+    const std::vector<Site>& sites = surface.arrows;
+    for (const ArrowDraw& draw : pane.arrows)
+        for (std::size_t i = 0; sites.size() > kFewArrows && i < sites.size(); i += 1 + sites.size() / kMost)
+            if (const auto ends = ends_of(draw, sites[i])) add((*ends)[1]);
     return convex_hull(std::move(points));
 }
 
@@ -125,6 +131,7 @@ LabelRoom::LabelRoom(Pane& pane, double pixel_scale) : pane_(pane), scale_(pixel
     for (const Label& label : pane.labels) {
         Box box{glm::dvec2(label.pixel) - glm::dvec2(pane.rect.origin), half_size(label.text, label.role)};
         if (label.role == Label::Role::Note) box.middle.x += box.half.x;
+        if (label.role == Label::Role::Title) box.middle.y += kAboveTitle * scale_ + box.half.y;
         taken_.push_back(box);
     }
 }
@@ -139,6 +146,8 @@ void LabelRoom::keep_clear(const Stroke& stroke) {
     if (const auto line = in_pixels(pane_.view, stroke)) lines_.push_back(*line);
 }
 
+void LabelRoom::keep_clear_of_arrows(std::vector<glm::dvec2> area) { arrows_ = std::move(area); }
+
 double LabelRoom::clearance(const glm::dvec2& pixel) const {
     double least = std::numeric_limits<double>::infinity();
     for (const StrokeInPixels& line : lines_) least = std::min(least, distance_to_segment(pixel, line.a, line.b));
@@ -146,6 +155,7 @@ double LabelRoom::clearance(const glm::dvec2& pixel) const {
 }
 
 glm::dvec2 LabelRoom::half_size(const std::string& text, Label::Role role) const {
+    if (role == Label::Role::Title) return scale_ * (glm::dvec2(10.0 * width_of(text), 13.0) + glm::dvec2(18.0, 5.0));
     const bool boxed = role == Label::Role::Side || role == Label::Role::Level;
     const double pad = boxed ? 5.0 : 1.0, em = role == Label::Role::Note || role == Label::Role::Level ? 14.0 : 15.0;
     return scale_ * (glm::dvec2(0.5 * em * width_of(text), 0.68 * em) + pad);
@@ -196,11 +206,12 @@ void LabelRoom::put_beside(const WantedLabel& wanted) {
     if (!(pixel.z > 0.0)) return;
     const glm::dvec2 half = half_size(wanted.text, Label::Role::Axis), size(pane_.rect.size), p(pixel);
     if (glm::any(glm::lessThan(p, glm::dvec2(0.0))) || glm::any(glm::lessThan(size, p))) return;
-    const std::vector<StrokeInPixels> near = lines_near(p, 2.0 * half + (kFarthest + kMargin) * scale_);
+    const double farthest = arrows_.empty() ? kFarthest : kBeyondArrows;
+    const std::vector<StrokeInPixels> near = lines_near(p, 2.0 * half + (farthest + kMargin) * scale_);
     Box best{p, half};
     double least = wanted.there ? 4.0 * hidden_by(best, near) : std::numeric_limits<double>::infinity();
-    for (const double away : {7.0, 15.0, 26.0, 40.0, 58.0, kFarthest})
-        for (int k = 0; k < 16; ++k) {
+    for (const double away : {7.0, 15.0, 26.0, 40.0, 58.0, kFarthest, 105.0, kBeyondArrows})
+        for (int k = 0; k < 16 && away <= farthest; ++k) {
             // From the upper right on, in turn to either side of it.
             const int turns = k % 2 == 0 ? k / 2 : -(k + 1) / 2;
             const double angle = 0.7 + turns * 0.392699;
@@ -212,15 +223,18 @@ void LabelRoom::put_beside(const WantedLabel& wanted) {
             const glm::dvec2 low = box.middle - half, high = box.middle + half;
             double cost = 4.0 * hidden_by(box, near) + scale_ * (away + 0.4 * k);
             for (const std::vector<glm::dvec2>& area : areas_) cost += kInArea * scale_ * share_within(area, low, high);
+            cost += kOnArrows * scale_ * share_within(arrows_, low, high);
             cost += kOnObject * scale_ * share_within(pane_.outline, low, high);
             if (cost < least) least = cost, best = box;
         }
     put_at(best.middle, wanted.text, Label::Role::Axis, wanted.color);
 }
 
-void place_labels(Pane& pane, const Mesh& mesh, const Transform<World, Object>& world_from_object, double pixel_scale) {
-    pane.outline = outline_of(pane, mesh, world_from_object);
+void place_labels(Pane& pane, const Surface& surface, const Transform<World, Object>& world_from_object,
+                  double pixel_scale) {
+    pane.outline = outline_of(pane, surface, world_from_object);
     LabelRoom room(pane, pixel_scale);
+    if (surface.arrows.size() > kFewArrows && !pane.arrows.empty()) room.keep_clear_of_arrows(pane.outline);
     for (const WantedLabel& wanted : pane.wanted) room.put_beside(wanted);
     pane.wanted.clear();
 }

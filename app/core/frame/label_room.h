@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/frame/frame.h"
-#include "core/mesh/mesh.h"
+#include "core/surface/surface.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -37,6 +37,8 @@ public:
 
     /// Of what is not in the pane yet.
     void keep_clear(const Stroke& stroke);
+    /// Of many arrows, which cover so much of the pane's pixels, convex: words may stand further away for it.
+    void keep_clear_of_arrows(std::vector<glm::dvec2> area);
     /// From a pixel of the pane to the nearest such line.
     double clearance(const glm::dvec2& pixel) const;
     /// Whether a word about that pixel of the pane meets no other.
@@ -63,14 +65,19 @@ private:
     std::vector<Box> taken_;
     std::vector<StrokeInPixels> lines_;
     std::vector<std::vector<glm::dvec2>> areas_;
+    std::vector<glm::dvec2> arrows_;  ///< corners of what they cover
 };
 
-/// Convex corners, in order, about where the object is in the pane.
-std::vector<glm::dvec2> outline_of(const Pane& pane, const Mesh& mesh,
+/// Arrows that are few enough to be told apart: words keep clear of each. More are an area.
+inline constexpr std::size_t kFewArrows = 400;
+
+/// Convex corners, in order, about where the object is in the pane, with its arrows where they are many.
+std::vector<glm::dvec2> outline_of(const Pane& pane, const Surface& surface,
                                    const Transform<World, Object>& world_from_object);
 /// How much of a box lies within a convex polygon, 0 to 1.
 double share_within(const std::vector<glm::dvec2>& convex, const glm::dvec2& low, const glm::dvec2& high);
 /// At last, when all is drawn: the words that the pane wants.
-void place_labels(Pane& pane, const Mesh& mesh, const Transform<World, Object>& world_from_object, double pixel_scale);
+void place_labels(Pane& pane, const Surface& surface, const Transform<World, Object>& world_from_object,
+                  double pixel_scale);
 
 }  // namespace normalscope

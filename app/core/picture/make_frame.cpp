@@ -157,10 +157,8 @@ void add_arrows(Pane& pane, const Scene& scene, const WorldFromObject& m, const 
     }
 }
 
-// Arrows that are few enough to be told apart.
 void keep_clear_of_arrows(Pane& pane, std::span<const Site> sites) {
-    constexpr std::size_t kFew = 400;
-    if (sites.size() > kFew) return;
+    if (sites.size() > kFewArrows) return;
     for (const ArrowDraw& draw : pane.arrows)
         for (const Site& site : sites)
             if (const auto ends = ends_of(draw, site))
@@ -311,7 +309,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         if (scene.show.legend) add_legend(frame, scene, m);
         add_step_labels(frame.panes.front(), scene, m, options);
         end_flat_view(frame, options);
-        place_labels(frame.panes.front(), frame.surface->mesh, m, options.pixel_scale);
+        place_labels(frame.panes.front(), *frame.surface, m, options.pixel_scale);
         return frame;
     }
     if (scene.show.grid) frame.ground_height = ground_height(frame.surface->mesh, m, ghost, options.unit);
@@ -338,8 +336,8 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         if (scene.show.stretch_axes) add_decomposition_marks(pane, scene, frame.surface->mesh, m, options);
         add_pinned_marks(pane, scene, frame, options);
         add_step_labels(pane, scene, m, options);
-        place_labels(pane, frame.surface->mesh, m, options.pixel_scale);
         if (scene.view == ViewMode::Split) add_title(pane, scene);
+        place_labels(pane, *frame.surface, m, options.pixel_scale);
     }
     if (scene.show.legend) add_legend(frame, scene, m);
     frame.notes = frame.surface->mesh.notes;
