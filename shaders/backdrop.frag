@@ -11,7 +11,9 @@ uniform vec3 eye;
 uniform float ground;       // height of the grid
 uniform float unit;         // between the grid's lines
 uniform float grid_amount;  // 0: no grid
+uniform float grid_fade;    // with the square of the distance
 uniform mat3 shadow;        // from (x, z, 1) on the ground to the unit disc
+uniform float shadow_fade;
 #ifdef RESOLVE
 #ifdef APART
 uniform sampler2D drawn;    // colours times alpha
@@ -38,9 +40,9 @@ vec3 backdrop() {
     vec2 place = at / unit, pixel = fwidth(place) + 1e-5;
     vec2 away = 0.5 - abs(fract(place) - 0.5);
     vec2 covered = clamp((HALF_WIDTH - away) / pixel + 0.5, 0.0, 1.0) * min(2.0 * HALF_WIDTH / pixel, 1.0);
-    float fade = max(1.0 - 0.021 * dot(place, place), 0.0);  // these numbers are in core/picture/drawn_box.cpp, too
+    float fade = max(1.0 - grid_fade * dot(place, place), 0.0);
     vec2 in_shadow = (shadow * vec3(at, 1.0)).xy;
-    float dark = max(1.0 - 0.3 * dot(in_shadow, in_shadow), 0.0);
+    float dark = max(1.0 - shadow_fade * dot(in_shadow, in_shadow), 0.0);
     float amount = t > 0.0 ? grid_amount : 0.0;
     vec3 c = sky * (1.0 - 0.24 * amount * dark * dark * dark);
     return mix(c, grid_color, 0.7 * amount * fade * fade * max(covered.x, covered.y));

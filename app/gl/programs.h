@@ -24,7 +24,9 @@ struct BackdropProgram : Program {
     Slot<float> ground{*this, "ground"};
     Slot<float> unit{*this, "unit"};
     Slot<float> grid_amount{*this, "grid_amount"};
+    Slot<float> grid_fade{*this, "grid_fade"};
     Slot<glm::mat3> shadow{*this, "shadow"};
+    Slot<float> shadow_fade{*this, "shadow_fade"};
     Slot<int> samples{*this, "samples"};
     Slot<glm::ivec2> drawn_low{*this, "drawn_low"};
     Slot<glm::ivec2> drawn_size{*this, "drawn_size"};

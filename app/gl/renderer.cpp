@@ -1,6 +1,7 @@
 #include "gl/renderer.h"
 
 #include "core/picture/drawn_box.h"
+#include "core/picture/ground.h"
 #include "gl/driver.h"
 #include "gl/rectangles.h"
 #include "gl/resources.h"
@@ -25,7 +26,9 @@ void set_sky_and_ground(const BackdropProgram& program, const Frame& frame, cons
     program.ground = frame.ground_height.value_or(0.0f);
     program.unit = static_cast<float>(frame.unit);
     program.grid_amount = frame.ground_height ? 1.0f : 0.0f;
+    program.grid_fade = static_cast<float>(kGridFade);
     program.shadow = frame.shadow_from_ground;
+    program.shadow_fade = static_cast<float>(kShadowFade);
 }
 
 }  // namespace

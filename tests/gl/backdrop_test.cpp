@@ -3,7 +3,7 @@
 #include "support.h"
 
 #include "core/frame/frame.h"
-#include "core/picture/drawn_box.h"
+#include "core/picture/ground.h"
 #include "core/picture/make_frame.h"
 #include "core/scene/setting.h"
 #include "core/surface/surface.h"

@@ -4,6 +4,8 @@
 #include "core/math/transform.h"
 #include "core/surface/surface.h"
 
+#include <algorithm>
+
 namespace normalscope {
 
 /// How many world units arrows, marks and the grid take for one: 1, but for objects that are many times larger or smaller,
@@ -18,5 +20,14 @@ double farthest_depth(const Surface& surface, const Transform<World, Object>& wo
 
 /// The largest |x|, |y| and |z| that is drawn in object space: a formula's surface goes beyond its mesh.
 glm::dvec3 drawn_extent(const Surface& surface);
+
+/// A matrix that floats hold, which reach to 1e38: what is done beyond that cannot be seen anyway.
+template <class M>
+M drawable(const M& m) {
+    M result = m;
+    for (int c = 0; c < M::length(); ++c)
+        for (int r = 0; r < M::col_type::length(); ++r) result[c][r] = std::clamp(m[c][r], -1e15, 1e15);
+    return result;
+}
 
 }  // namespace normalscope

@@ -8,9 +8,6 @@ namespace normalscope {
 /// it must be, and is the whole pane where something reaches behind the eye.
 PixelRect drawn_box(const Surface& surface, const Pane& pane);
 
-/// What holds all of a pane's ground that shows grid or shadow: beyond it is sky alone. It may be larger than it must be.
-PixelRect ground_box(const Frame& frame, const Pane& pane);
-
 /// The smallest box that holds both; one without pixels holds nothing.
 PixelRect united(const PixelRect& a, const PixelRect& b);
 

@@ -8,6 +8,7 @@
 #include "core/picture/derivation_marks.h"
 #include "core/picture/flat_marks.h"
 #include "core/picture/framing.h"
+#include "core/picture/ground.h"
 #include "core/picture/handle_marks.h"
 #include "core/picture/pinned_marks.h"
 #include "core/picture/polygon_marks.h"
@@ -34,15 +35,6 @@ namespace normalscope {
 namespace {
 
 using WorldFromObject = Transform<World, Object>;
-
-// Floats reach to 1e38: what M does beyond that cannot be seen anyway.
-template <class M>
-M drawable(const M& m) {
-    M result = m;
-    for (int c = 0; c < M::length(); ++c)
-        for (int r = 0; r < M::col_type::length(); ++r) result[c][r] = std::clamp(m[c][r], -1e15, 1e15);
-    return result;
-}
 
 // Where only directions count, bring the entries near 1, so that floats neither overflow nor vanish.
 NormalMap scaled_for_floats(NormalMap map) {
@@ -165,40 +157,6 @@ void keep_clear_of_arrows(Pane& pane, std::span<const Site> sites) {
                 keep_clear(pane, *ends, ArrowProportions::kHeadRadius * draw.radius);
 }
 
-// Where there is nothing there is no shadow of it: all of the ground lies far outside.
-const glm::mat3 kNoShadow(glm::vec3(0.0f), glm::vec3(0.0f), glm::vec3(100.0f));
-bool casts_shadow(const Surface& surface) {
-    return !surface.mesh.triangles.empty() || (surface.implicit && surface.implicit->region());
-}
-
-// The blob under the object: the shadow of M's image of the unit ball in light from straight above. With A the x and z
-// rows of M3, the shadow is the ellipse pᵀ (A Aᵀ)⁻¹ p ≤ 1; Cholesky's A Aᵀ = L Lᵀ turns it into the disc |L⁻¹ p| ≤ 1.
-glm::mat3 shadow_disc(const WorldFromObject& any, double unit) {
-    const WorldFromObject m = any.at({});
-    const glm::dmat3& m3 = m.normal_matrices_by_rule().naive;
-    const glm::dvec3 x(m3[0].x, m3[1].x, m3[2].x), z(m3[0].z, m3[1].z, m3[2].z);
-    const double kSoft = 0.02 * unit * unit;  // keeps the shadow of a flattened object from vanishing
-    const double l11 = std::sqrt(glm::dot(x, x) + kSoft), l21 = glm::dot(x, z) / l11;
-    const double l22 = std::sqrt(std::max(glm::dot(z, z) + kSoft - l21 * l21, kSoft));
-    const glm::dvec3 centre = m(Point<Object>{}).xyz;
-    glm::dmat3 disc(1.0 / l11, -l21 / (l11 * l22), 0.0, 0.0, 1.0 / l22, 0.0, 0.0, 0.0, 1.0);
-    disc[2] -= disc * glm::dvec3(centre.x, centre.z, 0.0);
-    return drawable(disc);
-}
-
-// The lowest point of object and ghost; a few thousand vertices tell it well enough, every frame.
-float ground_height(const Mesh& mesh, const WorldFromObject& m, bool ghost, double unit) {
-    constexpr double kHighest = 1e12;
-    double lowest = kHighest;
-    const std::size_t step = 1 + mesh.positions.size() / 20000;
-    for (std::size_t i = 0; i < mesh.positions.size(); i += step) {
-        const Point<Object> p{mesh.positions[i]};
-        if (m.reaches(p)) lowest = std::min(lowest, m(p).xyz.y);
-        if (ghost) lowest = std::min(lowest, p.xyz.y);
-    }
-    return static_cast<float>(std::clamp(lowest, -kHighest, kHighest) - 0.01 * unit);
-}
-
 void add_legend(Frame& frame, const Scene& scene, const WorldFromObject& m) {
     const NormalMatrices& matrices = m.normal_matrices_by_rule();
     const InNaivePlace in_place = in_naive_place(scene);
@@ -313,7 +271,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         return frame;
     }
     if (scene.show.grid) frame.ground_height = ground_height(frame.surface->mesh, m, ghost, options.unit);
-    frame.shadow_from_ground = casts_shadow(*frame.surface) ? shadow_disc(m, options.unit) : kNoShadow;
+    frame.shadow_from_ground = shadow_from_ground(*frame.surface, m, options.unit);
     frame.panes = empty_panes(scene, options.rect);
     for (Pane& pane : frame.panes) pane.view = pane.view.reaching(farthest_depth(*frame.surface, m, pane.view));
 
