@@ -9,7 +9,8 @@ void main() { color = vec4(vertex_color, 1.0); }
 #include "light.glsl"
 
 #ifdef TRACED
-in vec3 ray;  // in world space
+in vec3 ray;            // in world space
+flat in float holds;    // what the tile does
 
 uniform mat4 clip_from_world;
 uniform mat4 normal_matrix;  // as in scene.vert
@@ -21,9 +22,7 @@ uniform float mirrored;        // 1: M reflects
 uniform ivec2 pane_origin;
 uniform sampler2D hits;        // what trace.frag wrote: unit n_object, t
 uniform int coarseness;        // pixels a side of each texel there
-uniform sampler2D edges;       // the same for the first sample, with pixels left out that are no edges
-uniform sampler2D tiles;       // what tiles.frag wrote: the above counts where a tile holds an edge
-uniform int tile_size;         // in texels of `hits`
+uniform sampler2D edges;       // the same for the first sample, with pixels left out that are no edges; counts where a tile holds one
 uniform float leave_edges;     // 1: not where those are
 #ifdef GL_OES_sample_variables
 uniform int sample_mask;       // the samples that are drawn to; elsewhere GL has a state for that
@@ -86,7 +85,7 @@ void main() {
 #endif
     ivec2 pixel = (ivec2(gl_FragCoord.xy) - pane_origin) / coarseness;
     vec4 hit = texelFetch(hits, pixel, 0);
-    bool edge = texelFetch(tiles, pixel / tile_size, 0).r > 0.75 && texelFetch(edges, pixel, 0).w >= 0.0;
+    bool edge = holds > 0.75 && texelFetch(edges, pixel, 0).w >= 0.0;
     if (hit.w <= 0.0 || (leave_edges > 0.5 && edge)) discard;
     vec3 world_position = eye + hit.w * ray;
     vec4 clip = clip_from_world * vec4(world_position, 1.0);

@@ -9,18 +9,19 @@ uniform vec2 tile;             // a tile's size in clip space; 0: the whole pane
 uniform sampler2D tiles;       // what tiles.frag wrote
 uniform float least;           // tiles with less are left out
 
+flat out float holds;  // what the tile does
 out vec3 ray;  // of no particular length: t along it is the same in both spaces
 
 void main() {
     vec2 at = corner;
-    bool drawn = true;
+    holds = 1.0;
     if (tile.x > 0.0) {
         int columns = textureSize(tiles, 0).x;
         ivec2 place = ivec2(gl_InstanceID % columns, gl_InstanceID / columns);
-        drawn = texelFetch(tiles, place, 0).r > least;
+        holds = texelFetch(tiles, place, 0).r;
         at = min((vec2(place) + corner) * tile - 1.0, 1.0);
     }
     vec4 far = space_from_clip * vec4(at + shift, ray_depth, 1.0);
     ray = far.xyz / far.w - eye;
-    gl_Position = drawn ? vec4(at, 0.0, 1.0) : vec4(2.0, 2.0, 0.0, 1.0);
+    gl_Position = holds > least ? vec4(at, 0.0, 1.0) : vec4(2.0, 2.0, 0.0, 1.0);
 }

@@ -135,7 +135,6 @@ void Resources::draw_traced(const Frame& frame, const Pane& pane, const SurfaceD
     program.leave_edges = shifts.empty() ? 0.0f : 1.0f;
     program.sample_mask = ~0;
     program.shift = glm::vec2(0.0f);
-    program.tile_size = Tracer::kTile;
     program.tile = tracer->tile();
     program.least = Tracer::kEmpty;
     tracer->draw_tiles();

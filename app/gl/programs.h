@@ -124,7 +124,6 @@ struct TracedProgram : SurfaceProgram {
     Slot<int> hits{*this, "hits"};
     Slot<int> coarseness{*this, "coarseness"};
     Slot<int> edges{*this, "edges"};
-    Slot<int> tile_size{*this, "tile_size"};
     Slot<float> leave_edges{*this, "leave_edges"};
     Slot<int> sample_mask{*this, "sample_mask"};
     Slot<glm::mat3> object_from_world{*this, "object_from_world"};

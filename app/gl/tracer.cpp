@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 
 namespace normalscope {
 
@@ -67,6 +68,12 @@ PixelRect box_in_picture(const formulas::Box& box, const CameraView& view, glm::
     return {from, glm::max(to - from, 0)};
 }
 
+// Textures whose sides are powers of two are another kind to Mesa, for which it compiles a program anew.
+glm::ivec2 smallest_like(glm::ivec2 size) {
+    const auto side = [](int pixels) { return std::has_single_bit(static_cast<unsigned>(pixels)) ? 1 : 3; };
+    return {side(size.x), side(size.y)};
+}
+
 }  // namespace
 
 Tracer::Layer::Layer(glm::ivec2 size, GLenum format) {
@@ -105,8 +112,8 @@ void Tracer::hold(glm::ivec2 size, std::size_t layers) {
         size_ = size;
         tile_counts_ = (size + kTile - 1) / kTile;
         tiles_.emplace(tile_counts_, GL_R8);
+        nothing_.emplace(smallest_like(size), GL_RGBA32F);
     }
-    if (!nothing_) nothing_.emplace(glm::ivec2(1), GL_RGBA32F);
     while (layers_.size() < layers) layers_.emplace_back(size, GL_RGBA32F);
 }
 
@@ -127,21 +134,6 @@ void Tracer::fill_tiles() {
     glScissor(box_.origin.x, box_.origin.y, box_.size.x, box_.size.y);
 }
 
-// Tiles hold pixels beside the box, too, and edges are looked for there: an earlier picture must not remain in them.
-void Tracer::clear_around_box() {
-    constexpr int kBeside = kTile + 1;
-    const glm::ivec2 low = box_.origin, size = box_.size, end = low + size;
-    const auto clear = [](int x, int y, int width, int height) {
-        glScissor(x, y, width, height);
-        glClearBufferfv(GL_COLOR, 0, std::array{0.0f, 0.0f, 0.0f, 0.0f}.data());
-    };
-    clear(low.x - kBeside, low.y - kBeside, size.x + 2 * kBeside, kBeside);
-    clear(low.x - kBeside, end.y, size.x + 2 * kBeside, kBeside);
-    clear(low.x - kBeside, low.y, kBeside, size.y);
-    clear(end.x, low.y, kBeside, size.y);
-    glScissor(low.x, low.y, size.x, size.y);
-}
-
 void Tracer::trace(const ImplicitSurface& surface, const CameraView& view, glm::ivec2 size,
                    const glm::dmat4& object_from_world, std::span<const glm::vec2> shifts) {
     GLint framebuffer = 0;
@@ -157,7 +149,9 @@ void Tracer::trace(const ImplicitSurface& surface, const CameraView& view, glm::
     glDisable(GL_DEPTH_TEST);
     glViewport(0, 0, size.x, size.y);
     box_ = box_in_picture(*surface.region(), view, size, object_from_world);
-    glScissor(box_.origin.x, box_.origin.y, box_.size.x, box_.size.y);
+    // Tiles hold pixels beside the box, too, and edges are looked for there: an earlier picture must not remain in them.
+    constexpr int kBeside = kTile + 1;
+    glScissor(box_.origin.x - kBeside, box_.origin.y - kBeside, box_.size.x + 2 * kBeside, box_.size.y + 2 * kBeside);
     program_->use();
     program_->space_from_clip = glm::mat4(object_from_world * glm::inverse(view.clip_from_world()));
     program_->ray_depth = static_cast<float>(view.ray_depth());
@@ -177,7 +171,6 @@ void Tracer::trace(const ImplicitSurface& surface, const CameraView& view, glm::
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, nothing_->texture.id());
     glBindFramebuffer(GL_FRAMEBUFFER, layers_[0].framebuffer.id());
-    clear_around_box();
     // What replaces everything blends as well, as far as Mesa knows: it would compile the program a second time for tiles
     // that are wholly covered.
     if (blends_floats()) glEnable(GL_BLEND);

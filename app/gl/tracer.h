@@ -53,7 +53,6 @@ private:
     void hold(const ImplicitSurface& surface);
     void hold(glm::ivec2 size, std::size_t layers);
     void fill_tiles();
-    void clear_around_box();
 
     formulas::Precision precision(const ImplicitSurface& surface) const;
 
