@@ -17,16 +17,16 @@ struct BackdropProgram : Program {
 
     Slot<glm::mat4> world_from_clip{*this, "world_from_clip"};
     Slot<float> ray_depth{*this, "ray_depth"};
-    Slot<glm::vec3> eye{*this, "eye"};
+    Slot<glm::vec3> eye{*this, "all_ground.eye"};
     Slot<glm::vec3> top_color{*this, "top_color"};
     Slot<glm::vec3> bottom_color{*this, "bottom_color"};
-    Slot<glm::vec3> grid_color{*this, "grid_color"};
-    Slot<float> ground{*this, "ground"};
-    Slot<float> unit{*this, "unit"};
-    Slot<float> grid_amount{*this, "grid_amount"};
-    Slot<float> grid_fade{*this, "grid_fade"};
-    Slot<glm::mat3> shadow{*this, "shadow"};
-    Slot<float> shadow_fade{*this, "shadow_fade"};
+    Slot<glm::vec3> grid_color{*this, "all_ground.grid_color"};
+    Slot<float> ground{*this, "all_ground.height"};
+    Slot<float> unit{*this, "all_ground.unit"};
+    Slot<float> grid_amount{*this, "all_ground.grid_amount"};
+    Slot<float> grid_fade{*this, "all_ground.grid_fade"};
+    Slot<glm::mat3> shadow{*this, "all_ground.shadow"};
+    Slot<float> shadow_fade{*this, "all_ground.shadow_fade"};
     Slot<int> samples{*this, "samples"};
     Slot<glm::ivec2> drawn_low{*this, "drawn_low"};
     Slot<glm::ivec2> drawn_size{*this, "drawn_size"};
@@ -64,27 +64,26 @@ struct TilesProgram : Program {
 
 /// Everything solid: the mesh, its arrows, and what is made anew every frame.
 struct SceneProgram : Program {
-    explicit SceneProgram(std::string_view define = {}, std::string_view vertex_file = "scene.vert",
-                          std::string_view generated = "")
-        : Program(vertex_file, "scene.frag", define, generated) {}
+    explicit SceneProgram(std::string_view define = {}, std::string_view vertex_file = "scene.vert")
+        : Program(vertex_file, "scene.frag", define) {}
 
     Slot<glm::mat4> clip_from_world{*this, "clip_from_world"};
     Slot<glm::mat4> world_from_object{*this, "world_from_object"};
     Slot<glm::mat4> normal_matrix{*this, "normal_matrix"};
     Slot<float> normal_w{*this, "normal_w"};
     Slot<float> unit_at_vertices{*this, "unit_at_vertices"};
-    Slot<float> unit_at_pixels{*this, "unit_at_pixels"};
-    Slot<float> zero_is_black{*this, "zero_is_black"};
+    Slot<float> unit_at_pixels{*this, "look_of_all.unit_at_pixels"};
+    Slot<float> zero_is_black{*this, "look_of_all.zero_is_black"};
     Slot<float> arrow_length{*this, "arrow_length"};
     Slot<float> shaft_radius{*this, "shaft_radius"};
     Slot<float> head_length{*this, "head_length"};
     Slot<glm::vec4> cleared{*this, "cleared"};
-    Slot<glm::vec3> toward_light{*this, "toward_light"};
-    Slot<glm::vec3> eye{*this, "eye"};
-    Slot<float> outside{*this, "outside"};
-    Slot<float> color_coded{*this, "color_coded"};
-    Slot<glm::vec3> inside_color{*this, "inside_color"};
-    Slot<float> ghost{*this, "ghost"};
+    Slot<glm::vec3> toward_light{*this, "look_of_all.toward_light"};
+    Slot<glm::vec3> eye{*this, "look_of_all.eye"};
+    Slot<float> outside{*this, "look_of_all.outside"};
+    Slot<float> color_coded{*this, "look_of_all.color_coded"};
+    Slot<glm::vec3> inside_color{*this, "look_of_all.inside_color"};
+    Slot<float> ghost{*this, "look_of_all.ghost"};
     Slot<glm::vec4> tint{*this, "tint"};
     Slot<glm::vec3> paper{*this, "paper"};
 };
@@ -99,9 +98,8 @@ struct BoxProgram : Program {
 /// A surface, lit; or with ERROR_MAP coloured by the naive rule's error, with NORMALS by its normals. With PROJECTIVE what
 /// M does to a place is not affine.
 struct SurfaceProgram : SceneProgram {
-    explicit SurfaceProgram(std::string_view define, std::string_view vertex_file = "scene.vert",
-                            std::string_view generated = "")
-        : SceneProgram(define, vertex_file, generated) {}
+    explicit SurfaceProgram(std::string_view define, std::string_view vertex_file = "scene.vert")
+        : SceneProgram(define, vertex_file) {}
 
     Slot<glm::mat4> naive_matrix{*this, "naive_matrix"};
     Slot<float> naive_w{*this, "naive_w"};
@@ -112,7 +110,8 @@ struct SurfaceProgram : SceneProgram {
 
 /// What TraceProgram found, as a SurfaceProgram.
 struct TracedProgram : SurfaceProgram {
-    explicit TracedProgram(std::string_view define) : SurfaceProgram(define, "trace.vert", "#define TRACED\n") {}
+    explicit TracedProgram(const std::string& define)
+        : SurfaceProgram(define.empty() ? "TRACED" : "TRACED\n#define " + define, "trace.vert") {}
 
     Slot<glm::mat4> space_from_clip{*this, "space_from_clip"};
     Slot<float> ray_depth{*this, "ray_depth"};
