@@ -1,4 +1,5 @@
-// What the ground is like: carried to the fragment shader, as a Look is.
+// What the ground is like. It comes to the fragment shader as what a triangle carries: Mesa's software driver fetches each number
+// of a uniform for every pixel anew. (Where triangles are small and many, that would cost more than it saves.)
 struct Ground {
     vec3 eye;
     float height;       // of the grid

@@ -7,7 +7,6 @@ out vec4 color;
 void main() { color = vec4(vertex_color, 1.0); }
 #else
 #include "light.glsl"
-#include "look.glsl"
 
 #ifdef TRACED
 in vec3 ray;            // in world space
@@ -42,11 +41,17 @@ in vec3 object_position;
 #endif
 #endif
 
-flat in Look look;
+uniform vec3 toward_light;
+uniform vec3 eye;
+uniform float outside;     // +1 or -1: the winding that the normals take for outside; 0: no side is the inside
+uniform float color_coded;  // 1: an arrow or mark, whose colour is its meaning
+uniform vec3 inside_color;
+uniform float unit_at_pixels;  // 1: make interpolated normals of unit length again, as one should
+uniform float zero_is_black;   // 1: show a normal of length zero as the NaN that it would become
 #ifdef GHOST
 const float ghost = 1.0;
 #else
-#define ghost look.ghost
+uniform float ghost;       // 1: a glassy shell, clearest where one looks straight through
 #endif
 #ifdef ERROR_MAP
 uniform mat4 naive_matrix;
@@ -82,7 +87,7 @@ void main() {
     vec4 hit = texelFetch(hits, pixel, 0);
     bool edge = holds > 0.75 && texelFetch(edges, pixel, 0).w >= 0.0;
     if (hit.w <= 0.0 || (leave_edges > 0.5 && edge)) discard;
-    vec3 world_position = look.eye + hit.w * ray;
+    vec3 world_position = eye + hit.w * ray;
     vec4 clip = clip_from_world * vec4(world_position, 1.0);
     gl_FragDepth = 0.5 + 0.5 * clip.z / clip.w;
     vec3 object_normal = hit.xyz;
@@ -105,23 +110,23 @@ void main() {
 #endif
     float size = length(world_normal);
 #ifdef NORMALS
-    vec3 shown = look.unit_at_pixels > 0.5 && size > 0.0 ? world_normal / size : world_normal;
-    if (look.outside != 0.0 && front_facing == (look.outside < 0.0)) shown = -shown;
+    vec3 shown = unit_at_pixels > 0.5 && size > 0.0 ? world_normal / size : world_normal;
+    if (outside != 0.0 && front_facing == (outside < 0.0)) shown = -shown;
     color = vec4(clamp(0.5 * shown + 0.5, 0.0, 1.0), 1.0) * base_color.a;  // numbers, not light: as they are
     return;
 #endif
     if (size == 0.0) {  // no normal, no light: flat colour says so
-        color = vec4(base * (1.0 - look.zero_is_black), 1.0) * base_color.a;
+        color = vec4(base * (1.0 - zero_is_black), 1.0) * base_color.a;
         return;
     }
-    vec3 n = look.unit_at_pixels > 0.5 ? world_normal / size : world_normal;
-    bool seen_from_inside = look.outside != 0.0 && front_facing == (look.outside < 0.0);
+    vec3 n = unit_at_pixels > 0.5 ? world_normal / size : world_normal;
+    bool seen_from_inside = outside != 0.0 && front_facing == (outside < 0.0);
     if (seen_from_inside) {
         n = -n;
-        base = look.inside_color;
+        base = inside_color;
     }
-    vec3 view = normalize(look.eye - world_position);
-    vec3 c = lit(base, n, view, look.toward_light, look.color_coded > 0.5);
+    vec3 view = normalize(eye - world_position);
+    vec3 c = lit(base, n, view, toward_light, color_coded > 0.5);
     float alpha = base_color.a;
     if (ghost > 0.5) {
         float rim = 1.0 - abs(dot(n, view));

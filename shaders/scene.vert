@@ -7,9 +7,11 @@ layout(location = 3) in vec3 site_point;   // of an arrow: the surface's point a
 layout(location = 4) in vec3 site_normal;
 
 uniform mat4 clip_from_world;
+uniform vec3 eye;
 uniform mat4 world_from_object;
 uniform mat4 normal_matrix;      // to world space: the first three numbers of normal_matrix * (n, normal_w),
 uniform float normal_w;
+uniform float unit_at_pixels;
 uniform float unit_at_vertices;  // made of unit length here: 0 not, 1 without w, 2 with it
 uniform float arrow_length;  // 0: no arrow
 uniform float shaft_radius;
@@ -18,15 +20,13 @@ uniform vec4 cleared;        // a ball in world space, in which no arrow stands
 uniform vec4 tint;           // sRGB; alpha 0: each vertex has its own colour
 uniform vec3 paper;          // what is seen within a hollow head
 
-#include "look.glsl"
-uniform Look look_of_all;
-
 #ifdef LIT_AT_VERTICES
 #include "light.glsl"
 
+uniform vec3 toward_light;
+
 out vec3 vertex_color;
 #else
-flat out Look look;
 #ifdef PROJECTIVE
 out vec4 world_place;  // not yet divided by its w, which is not the same at all corners
 #else
@@ -53,7 +53,7 @@ void main() {
         vec3 axis = size > 0.0 ? direction / size : vec3(0.0, 0.0, 1.0);
         world = vec4(world.xyz / (world.w > 0.0 ? world.w : 1.0), 1.0);
         if (distance(world.xyz, cleared.xyz) < cleared.w) size = 0.0;
-        vec3 to_eye = look_of_all.eye - world.xyz, u = cross(to_eye, axis);  // so that v points to the eye, as far as it can
+        vec3 to_eye = eye - world.xyz, u = cross(to_eye, axis);  // so that v points to the eye, as far as it can
         if (dot(u, u) < 1e-11 * dot(to_eye, to_eye)) u = cross(abs(axis.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0), axis);
         u = normalize(u);
         vec3 v = cross(axis, u);
@@ -66,7 +66,7 @@ void main() {
         float neck = arrow_length - head_length;
         float along = position.z <= 1.0 ? position.z * neck : position.z < 2.0 ? neck + (position.z - 1.0) * head_length : arrow_length;
         // Normals that are left as long as they come out show it.
-        if (unit_at_vertices != 1.0 && look_of_all.unit_at_pixels < 0.5) along *= min(size, 3.0);
+        if (unit_at_vertices != 1.0 && unit_at_pixels < 0.5) along *= min(size, 3.0);
         vec3 offset = along * axis + shaft_radius * (position.x * u + y * v);
         world.xyz += size > 0.0 ? offset : vec3(0.0);  // no direction, no arrow
         direction = normal.x * u + normal.y * v + normal.z * axis;
@@ -75,7 +75,7 @@ void main() {
     float size = length(direction);
     vec3 n = size > 0.0 ? direction / size : vec3(0.0);
     vec3 base = own_color.a > 0.5 ? paper : tint.rgb;
-    vertex_color = to_srgb(own_color.r * lit(base, n, normalize(look_of_all.eye - world.xyz), look_of_all.toward_light, true));
+    vertex_color = to_srgb(own_color.r * lit(base, n, normalize(eye - world.xyz), toward_light, true));
 #else
 #ifdef PROJECTIVE
     world_place = world;
@@ -83,7 +83,6 @@ void main() {
     world_position = world.xyz;
 #endif
     world_normal = direction;
-    look = look_of_all;
     base_color = tint.a > 0.0 ? tint : own_color;
     if (arrow && own_color.a > 0.5) base_color.rgb = paper;
 #endif

@@ -2,14 +2,7 @@
 layout(location = 0) in vec2 corner;  // in clip space; of a tile: from (0, 0) to (1, 1)
 
 uniform mat4 space_from_clip;  // object space to trace in, world space to light in
-#ifdef TRACED
-#include "look.glsl"
-uniform Look look_of_all;      // its eye in that space
-flat out Look look;
-#define eye look_of_all.eye
-#else
 uniform vec3 eye;              // in that space
-#endif
 uniform float ray_depth;       // in clip space, where each ray is looked up
 uniform vec2 shift;            // from the pixel's centre to one of its samples, in clip space
 uniform vec2 tile;             // a tile's size in clip space; 0: the whole pane
@@ -20,9 +13,6 @@ flat out float holds;  // what the tile does
 out vec3 ray;  // of no particular length: t along it is the same in both spaces
 
 void main() {
-#ifdef TRACED
-    look = look_of_all;
-#endif
     vec2 at = corner;
     holds = 1.0;
     if (tile.x > 0.0) {
