@@ -221,7 +221,10 @@ void LabelRoom::put_beside(const WantedLabel& wanted) {
                 p + toward * (scale_ * away) + half * glm::clamp(1.6 * toward, glm::dvec2(-1.0), glm::dvec2(1.0)),
                 half};
             const glm::dvec2 low = box.middle - half, high = box.middle + half;
-            double cost = 4.0 * hidden_by(box, near) + scale_ * (away + 0.4 * k);
+            double cost = scale_ * (away + 0.4 * k);
+            if (cost >= least) continue;  // what takes longer to find out only adds to it
+            cost += 4.0 * hidden_by(box, near);
+            if (cost >= least) continue;
             for (const std::vector<glm::dvec2>& area : areas_) cost += kInArea * scale_ * share_within(area, low, high);
             cost += kOnArrows * scale_ * share_within(arrows_, low, high);
             cost += kOnObject * scale_ * share_within(pane_.outline, low, high);

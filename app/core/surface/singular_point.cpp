@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -29,6 +30,8 @@ constexpr double kOneSheet = 0.05;  ///< against the largest singular value: how
 constexpr int kMeridians = 144, kParallels = 72;
 constexpr int kHalvings = 50;  // of an edge between them
 
+using Curves = std::vector<std::vector<SingularPoint::Neighbour>>;
+
 bool finite(const glm::dvec3& v) { return std::isfinite(glm::dot(v, v)); }
 
 // The surface's points on a small sphere, curve by curve in order.
@@ -38,7 +41,7 @@ public:
 
     Ring(const ImplicitSurface& surface, Point<Object> centre, double radius)
         : surface_(surface), centre_(centre.xyz), radius_(radius) {
-        evaluate();
+        values_ = values_in(directions());
         for (int j = 0; j < kParallels; ++j)
             for (int i = 0; i < kMeridians; ++i) {
                 const std::uint32_t a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1),
@@ -51,14 +54,14 @@ public:
     }
 
     /// Without what has no normal of its own, as where two sheets cross.
-    std::vector<std::vector<Neighbour>> curves() const {
+    Curves curves() const {
         double largest = 0.0;
         std::vector<glm::dvec3> gradients;
         for (const glm::dvec3& d : crossings_) {
             gradients.push_back(surface_.at({centre_ + radius_ * d}).gradient);
             if (finite(gradients.back())) largest = std::max(largest, glm::length(gradients.back()));
         }
-        std::vector<std::vector<Neighbour>> result;
+        Curves result;
         for (const std::vector<std::uint32_t>& chain : chains_) {
             std::vector<Neighbour>* curve = nullptr;
             for (const std::uint32_t k : chain) {
@@ -94,17 +97,21 @@ private:
         return values;
     }
 
-    void evaluate() {
+    static std::vector<glm::dvec3> vertices() {
         // Askew: symmetry planes shall not run through rows of vertices.
         const glm::dvec3 up = glm::normalize(glm::dvec3(0.3141, 0.9, 0.1618)),
                          u = glm::normalize(glm::cross(up, glm::dvec3(0.2718, 0.0577, 1.0))), v = glm::cross(up, u);
-        directions_ = {up, -up};
+        std::vector<glm::dvec3> directions{up, -up};
         for (int j = 1; j < kParallels; ++j)
             for (int i = 0; i < kMeridians; ++i) {
                 const double a = glm::two_pi<double>() * i / kMeridians, e = glm::pi<double>() * j / kParallels;
-                directions_.push_back(std::cos(e) * up + std::sin(e) * (std::cos(a) * u + std::sin(a) * v));
+                directions.push_back(std::cos(e) * up + std::sin(e) * (std::cos(a) * u + std::sin(a) * v));
             }
-        values_ = values_in(directions_);
+        return directions;
+    }
+    static const std::vector<glm::dvec3>& directions() {
+        static const std::vector<glm::dvec3> same_for_all = vertices();
+        return same_for_all;
     }
 
     // Where the curve crosses an edge of the sphere's net, whose ends have different signs; where along it, halve() says.
@@ -122,8 +129,8 @@ private:
     void halve() {
         std::vector<glm::dvec3> from, to, middles(crossed_.size());
         for (const auto& [a, b] : crossed_) {
-            from.push_back(directions_[a]);
-            to.push_back(directions_[b]);
+            from.push_back(directions()[a]);
+            to.push_back(directions()[b]);
         }
         for (int i = 0; i < kHalvings; ++i) {
             for (std::size_t k = 0; k < crossed_.size(); ++k) middles[k] = glm::normalize(from[k] + to[k]);
@@ -135,12 +142,14 @@ private:
     }
 
     void add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        std::vector<std::uint32_t> ends;
-        for (const auto& [p, q] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
-            if (!std::isfinite(values_[p]) || !std::isfinite(values_[q])) return;
-            if ((values_[p] < 0.0) != (values_[q] < 0.0)) ends.push_back(crossing(p, q));
-        }
-        if (ends.size() != 2) return;
+        if (!std::isfinite(values_[a]) || !std::isfinite(values_[b]) || !std::isfinite(values_[c])) return;
+        const bool at_a = values_[a] < 0.0, at_b = values_[b] < 0.0, at_c = values_[c] < 0.0;
+        if (at_a == at_b && at_b == at_c) return;
+        std::array<std::uint32_t, 2> ends{};
+        std::size_t count = 0;
+        if (at_a != at_b) ends[count++] = crossing(a, b);
+        if (at_b != at_c) ends[count++] = crossing(b, c);
+        if (at_c != at_a) ends[count++] = crossing(c, a);
         neighbours_[ends[0]].push_back(ends[1]);
         neighbours_[ends[1]].push_back(ends[0]);
     }
@@ -167,7 +176,6 @@ private:
     const ImplicitSurface& surface_;
     glm::dvec3 centre_;
     double radius_;
-    std::vector<glm::dvec3> directions_;
     std::vector<double> values_;
     std::unordered_map<std::uint64_t, std::uint32_t> known_;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> crossed_;  // the ends of the edges that are crossed
@@ -179,8 +187,7 @@ private:
 // Where f touches 0 without changing its sign, as a square does, the sphere has no such curves. Over and under such a
 // sheet ∇f points away from it, or towards it, on either side: so the differences of ∇f across the point, one for each
 // axis, are all along one line, the sheet's normal.
-std::vector<std::vector<SingularPoint::Neighbour>> above_and_below(const ImplicitSurface& surface, Point<Object> p,
-                                                                   double radius) {
+Curves above_and_below(const ImplicitSurface& surface, Point<Object> p, double radius) {
     glm::dmat3 differences;
     for (glm::length_t i = 0; i < 3; ++i) {
         glm::dvec3 step(0.0);
@@ -190,7 +197,7 @@ std::vector<std::vector<SingularPoint::Neighbour>> above_and_below(const Implici
     }
     const SingularValues parts = singular_values(differences);
     if (!(parts.sigma.y < kOneSheet * parts.sigma.x)) return {};
-    std::vector<std::vector<SingularPoint::Neighbour>> sides;
+    Curves sides;
     for (const double side : {1.0, -1.0}) {
         const glm::dvec3 at = p.xyz + side * radius * parts.u[0], g = surface.at({at}).gradient;
         if (finite(g) && glm::length(g) > 0.0) sides.push_back({{{at}, {glm::normalize(g)}}});
@@ -198,10 +205,27 @@ std::vector<std::vector<SingularPoint::Neighbour>> above_and_below(const Implici
     return sides;
 }
 
-std::vector<std::vector<SingularPoint::Neighbour>> neighbours(const ImplicitSurface& surface, Point<Object> p,
-                                                              double radius) {
+Curves found_neighbours(const ImplicitSurface& surface, Point<Object> p, double radius) {
     auto curves = Ring(surface, p, radius).curves();
     return curves.empty() ? above_and_below(surface, p, radius) : curves;
+}
+
+// The same few are asked for in frame after frame, while only the camera or M moves.
+Curves neighbours(const ImplicitSurface& surface, Point<Object> p, double radius) {
+    struct Known {
+        FormulaSurface source;
+        glm::dvec3 p;
+        double radius;
+        Curves curves;
+    };
+    constexpr std::size_t kMost = 4;
+    static thread_local std::deque<Known> known;
+    const auto found = std::ranges::find_if(
+        known, [&](const Known& k) { return k.p == p.xyz && k.radius == radius && k.source == surface.source(); });
+    if (found != known.end()) return found->curves;
+    if (known.size() == kMost) known.pop_front();
+    known.push_back({surface.source(), p.xyz, radius, found_neighbours(surface, p, radius)});
+    return known.back().curves;
 }
 
 // Down f along the sphere, to the curve itself.
@@ -217,8 +241,7 @@ glm::dvec3 onto_curve(const ImplicitSurface& surface, const glm::dvec3& centre, 
 }
 
 std::optional<SingularPoint::Neighbour> nearest(const ImplicitSurface& surface, const glm::dvec3& centre,
-                                                const std::vector<std::vector<SingularPoint::Neighbour>>& curves,
-                                                const glm::dvec3& wanted) {
+                                                const Curves& curves, const glm::dvec3& wanted) {
     const double radius = SingularPoint::kLenders * surface.source().bound;
     std::optional<SingularPoint::Neighbour> best;
     double most = -2.0;
@@ -244,7 +267,7 @@ std::optional<SingularPoint::Neighbour> nearest(const ImplicitSurface& surface, 
     return best;
 }
 
-double spread(const std::vector<std::vector<SingularPoint::Neighbour>>& curves) {
+double spread(const Curves& curves) {
     std::vector<glm::dvec3> normals;
     std::size_t count = 0;
     for (const auto& curve : curves) count += curve.size();
