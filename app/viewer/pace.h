@@ -4,9 +4,9 @@
 
 namespace normalscope {
 
-/// Keeps what moves smooth: where a frame with all of its samples takes longer than a thirtieth of a second, the rest of the
-/// movement is drawn with one sample a pixel, which takes about half as long; and where that takes too long as well, with
-/// fewer rays.
+/// Keeps what moves smooth: where a frame with all of its samples takes longer than a fiftieth of a second, the rest of the
+/// movement is drawn with one sample a pixel, which takes about half as long; and where even that takes longer than a thirtieth,
+/// with fewer rays.
 class Pace {
 public:
     /// Before a frame. Whether it should be drawn with one sample.
@@ -20,7 +20,8 @@ public:
     /// What the frame took, to the last pixel.
     void took(std::chrono::duration<double> seconds) {
         if (!moving_) return;
-        slow_ = seconds.count() > 1.0 / 30.0 ? slow_ + 1 : 0;
+        // Not a sixtieth: a driver may wait for the screen.
+        slow_ = seconds.count() > (level_ == 0 ? 1.0 / 50.0 : 1.0 / 30.0) ? slow_ + 1 : 0;
         if (slow_ < kEnough) return;
         ++level_;
         slow_ = 0;
