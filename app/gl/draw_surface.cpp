@@ -100,7 +100,8 @@ void Resources::draw_traced(const Frame& frame, const Pane& pane, const SurfaceD
     for (glm::vec2& place : shifts) place -= 0.5f;
     if (fine && only_sample) shifts = {*only_sample};
     if (!tracer) tracer.emplace();
-    const std::string wanted = defines(frame, draw, first_picture);
+    std::string wanted = carries_much() ? "TRACED\n#define CARRIES" : "TRACED";
+    if (const std::string rest = defines(frame, draw, first_picture); !rest.empty()) wanted += "\n#define " + rest;
     const TracedProgram& program = traced_programs.try_emplace(wanted, wanted).first->second;
     tracer->trace(*frame.surface->implicit, pane.view, (pane.rect.size + coarseness - 1) / coarseness,
                   *draw.traced_object_from_world, shifts);

@@ -48,6 +48,7 @@ bool draws_floats() { return has("EXT_color_buffer_float"); }
 bool blends_floats() { return false; }
 bool answers_at_once() { return false; }
 bool has_doubles() { return false; }
+bool carries_much() { return false; }
 
 // A page's glFinish returns at once.
 void wait_for_pixels() {
@@ -85,6 +86,12 @@ bool has_doubles() {
         if (reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, i)) == std::string_view("GL_ARB_gpu_shader_fp64"))
             return true;
     return false;
+}
+
+bool carries_much() {
+    GLint numbers = 0;
+    glGetIntegerv(GL_MAX_VARYING_COMPONENTS, &numbers);
+    return numbers >= 100;
 }
 
 void wait_for_pixels() { glFinish(); }

@@ -28,6 +28,8 @@ bool blends_floats();
 bool answers_at_once();
 /// Whether GLSL has doubles.
 bool has_doubles();
+/// A triangle can carry a hundred numbers to its pixels, and it is worth while: shaders/trace.vert.
+bool carries_much();
 
 /// Waits until all that was drawn to the bound framebuffer is there.
 void wait_for_pixels();

@@ -9,6 +9,7 @@
 #include <glm/vec4.hpp>
 
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace normalscope {
@@ -26,11 +27,12 @@ public:
 
     void use() const { glUseProgram(id_); }
 
-    /// A uniform of a given type; setting one that the compiler has optimised away does nothing.
+    /// A uniform of a given type, which may be called carried_ and its name (shaders/trace.vert); setting one that the
+    /// compiler has optimised away does nothing.
     template <class T>
     class Slot {
     public:
-        Slot(const Program& program, const char* name) : location_(glGetUniformLocation(program.id_, name)) {}
+        Slot(const Program& program, const char* name) : location_(location(program.id_, name)) {}
         void operator=(const T& value) const { set(location_, value); }
 
     private:
@@ -38,6 +40,10 @@ public:
     };
 
 protected:
+    static GLint location(GLuint program, const std::string& name) {
+        const GLint plain = glGetUniformLocation(program, name.c_str());
+        return plain >= 0 ? plain : glGetUniformLocation(program, ("carried_" + name).c_str());
+    }
     static void set(GLint at, int v) { glUniform1i(at, v); }
     static void set(GLint at, float v) { glUniform1f(at, v); }
     static void set(GLint at, const glm::ivec2& v) { glUniform2i(at, v.x, v.y); }

@@ -108,10 +108,9 @@ struct SurfaceProgram : SceneProgram {
     Slot<std::span<const glm::vec3>> ramp{*this, "ramp"};
 };
 
-/// What TraceProgram found, as a SurfaceProgram.
+/// What TraceProgram found, as a SurfaceProgram. With CARRIES what all pixels share is carried to them, not uniform there.
 struct TracedProgram : SurfaceProgram {
-    explicit TracedProgram(const std::string& define)
-        : SurfaceProgram(define.empty() ? "TRACED" : "TRACED\n#define " + define, "trace.vert") {}
+    explicit TracedProgram(std::string_view define) : SurfaceProgram(define, "trace.vert") {}
 
     Slot<glm::mat4> space_from_clip{*this, "space_from_clip"};
     Slot<float> ray_depth{*this, "ray_depth"};

@@ -183,11 +183,15 @@ void Renderer::draw(const Frame& frame, Target& target, Beside beside) {
 
 void Renderer::draw_again(const Frame& frame, Target& target, Beside beside) {
     target.bind_picture();
+    // All at once or not at all: what is cleared within a scissor, Mesa fills pixel by pixel. The backdrop covers the panes.
+    glDisable(GL_SCISSOR_TEST);
+    if (beside == Beside::Cleared) {
+        const glm::vec3 ground = theme_colors(frame.theme).panel;
+        glClearColor(ground.r, ground.g, ground.b, 1.0f);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+    if (target.samples() == 1) glClear(GL_DEPTH_BUFFER_BIT);
     glEnable(GL_SCISSOR_TEST);
-    scissor(beside == Beside::Stays ? upright(frame.rect, target) : PixelRect{{}, target.size()});
-    const glm::vec3 ground = theme_colors(frame.theme).panel;
-    glClearColor(ground.r, ground.g, ground.b, 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     for (const Pane& pane : frame.panes) {
         resources_->draw_backdrop(frame, pane, target);
         if (target.samples() == 1) resources_->draw_pane(frame, pane);
