@@ -3,11 +3,18 @@
 // processor, but the ground is worked out once for all samples. glBlitFramebuffer would take the mean as well, but Mesa
 // compiles its own shader for that anew in every process. GLSL ES 3.00 has no multisample textures: there each sample is a
 // texel of its own, or they have been averaged before.
-#include "ground.glsl"
-
-in vec3 ray;
 in vec3 sky;
-flat in Ground ground;
+#ifndef SKY
+in vec3 ray;
+flat in vec3 eye;
+flat in vec3 grid_color;
+flat in float ground;       // height of the grid
+flat in float unit;         // between the grid's lines
+flat in float grid_amount;  // 0: no grid
+flat in float grid_fade;    // with the square of the distance
+flat in mat3 shadow;        // from (x, z, 1) on the ground to the unit disc
+flat in float shadow_fade;
+#endif
 
 #ifdef RESOLVE
 #ifdef APART
@@ -29,18 +36,18 @@ const float HALF_WIDTH = 0.009;
 vec3 backdrop() { return sky; }  // where nothing of the ground is seen: the same, in far fewer steps
 #else
 vec3 backdrop() {
-    float t = (ground.height - ground.eye.y) / ray.y;
-    vec2 at = ground.eye.xz + t * ray.xz;
+    float t = (ground - eye.y) / ray.y;
+    vec2 at = eye.xz + t * ray.xz;
     // How much of the pixel a line at each whole number covers; a line thinner than a pixel grows fainter instead.
-    vec2 place = at / ground.unit, pixel = fwidth(place) + 1e-5;
+    vec2 place = at / unit, pixel = fwidth(place) + 1e-5;
     vec2 away = 0.5 - abs(fract(place) - 0.5);
     vec2 covered = clamp((HALF_WIDTH - away) / pixel + 0.5, 0.0, 1.0) * min(2.0 * HALF_WIDTH / pixel, 1.0);
-    float fade = max(1.0 - ground.grid_fade * dot(place, place), 0.0);
-    vec2 in_shadow = (ground.shadow * vec3(at, 1.0)).xy;
-    float dark = max(1.0 - ground.shadow_fade * dot(in_shadow, in_shadow), 0.0);
-    float amount = t > 0.0 ? ground.grid_amount : 0.0;
+    float fade = max(1.0 - grid_fade * dot(place, place), 0.0);
+    vec2 in_shadow = (shadow * vec3(at, 1.0)).xy;
+    float dark = max(1.0 - shadow_fade * dot(in_shadow, in_shadow), 0.0);
+    float amount = t > 0.0 ? grid_amount : 0.0;
     vec3 c = sky * (1.0 - 0.24 * amount * dark * dark * dark);
-    return mix(c, ground.grid_color, 0.7 * amount * fade * fade * max(covered.x, covered.y));
+    return mix(c, grid_color, 0.7 * amount * fade * fade * max(covered.x, covered.y));
 }
 #endif
 

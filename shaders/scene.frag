@@ -15,8 +15,8 @@ void main() { color = vec4(vertex_color, 1.0); }
 #endif
 
 #ifdef TRACED
-in vec3 ray;            // in world space
-flat in float holds;    // what the tile does
+in vec3 ray;              // in world space
+flat in float holds;      // what the tile does
 
 SHARED mat4 clip_from_world;
 SHARED mat4 normal_matrix;  // as in scene.vert
@@ -24,14 +24,14 @@ SHARED float normal_w;
 SHARED float unit_at_vertices;
 SHARED vec4 tint;
 SHARED mat3 object_from_world;
-SHARED float mirrored;        // 1: M reflects
+SHARED float mirrored;    // 1: M reflects
 SHARED ivec2 pane_origin;
-uniform sampler2D hits;        // what trace.frag wrote: unit n_object, t
-SHARED int coarseness;        // pixels a side of each texel there
-uniform sampler2D edges;       // the same for the first sample, with pixels left out that are no edges; counts where a tile holds one
-SHARED float leave_edges;     // 1: not where those are
+SHARED int coarseness;    // pixels a side of each texel of `hits`
+SHARED float leave_edges;  // 1: not where those are
+uniform sampler2D hits;   // what trace.frag wrote: unit n_object, t
+uniform sampler2D edges;  // the same for the first sample, with pixels left out that are no edges; counts where a tile holds one
 #ifdef GL_OES_sample_variables
-uniform int sample_mask;       // the samples that are drawn to; elsewhere GL has a state for that
+uniform int sample_mask;  // the samples that are drawn to; elsewhere GL has a state for that
 #endif
 #else
 #ifdef PROJECTIVE
@@ -49,15 +49,15 @@ in vec3 object_position;
 
 SHARED vec3 toward_light;
 SHARED vec3 eye;
-SHARED float outside;     // +1 or -1: the winding that the normals take for outside; 0: no side is the inside
-SHARED float color_coded;  // 1: an arrow or mark, whose colour is its meaning
+SHARED float outside;         // +1 or -1: the winding that the normals take for outside; 0: no side is the inside
+SHARED float color_coded;     // 1: an arrow or mark, whose colour is its meaning
 SHARED vec3 inside_color;
 SHARED float unit_at_pixels;  // 1: make interpolated normals of unit length again, as one should
 SHARED float zero_is_black;   // 1: show a normal of length zero as the NaN that it would become
 #ifdef GHOST
 const float ghost = 1.0;
 #else
-SHARED float ghost;       // 1: a glassy shell, clearest where one looks straight through
+SHARED float ghost;           // 1: a glassy shell, clearest where one looks straight through
 #endif
 #ifdef ERROR_MAP
 uniform mat4 naive_matrix;

@@ -17,16 +17,16 @@ struct BackdropProgram : Program {
 
     Slot<glm::mat4> world_from_clip{*this, "world_from_clip"};
     Slot<float> ray_depth{*this, "ray_depth"};
-    Slot<glm::vec3> eye{*this, "all_ground.eye"};
+    Slot<glm::vec3> eye{*this, "eye"};
     Slot<glm::vec3> top_color{*this, "top_color"};
     Slot<glm::vec3> bottom_color{*this, "bottom_color"};
-    Slot<glm::vec3> grid_color{*this, "all_ground.grid_color"};
-    Slot<float> ground{*this, "all_ground.height"};
-    Slot<float> unit{*this, "all_ground.unit"};
-    Slot<float> grid_amount{*this, "all_ground.grid_amount"};
-    Slot<float> grid_fade{*this, "all_ground.grid_fade"};
-    Slot<glm::mat3> shadow{*this, "all_ground.shadow"};
-    Slot<float> shadow_fade{*this, "all_ground.shadow_fade"};
+    Slot<glm::vec3> grid_color{*this, "grid_color"};
+    Slot<float> ground{*this, "ground"};
+    Slot<float> unit{*this, "unit"};
+    Slot<float> grid_amount{*this, "grid_amount"};
+    Slot<float> grid_fade{*this, "grid_fade"};
+    Slot<glm::mat3> shadow{*this, "shadow"};
+    Slot<float> shadow_fade{*this, "shadow_fade"};
     Slot<int> samples{*this, "samples"};
     Slot<glm::ivec2> drawn_low{*this, "drawn_low"};
     Slot<glm::ivec2> drawn_size{*this, "drawn_size"};

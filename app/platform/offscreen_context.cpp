@@ -4,6 +4,7 @@
 #include "core/base/system.h"
 #include "core/base/text.h"
 #include "platform/offscreen_ways.h"
+#include "platform/shader_cache.h"
 #include "platform/shared_library.h"
 
 #include <cstdlib>
@@ -64,6 +65,7 @@ std::unique_ptr<Context> make_context(ContextChoice choice) {
 
 std::unique_ptr<Context> make_offscreen_context(const ContextOptions& options) {
     const SetForNow silence("EGL_LOG_LEVEL", "fatal");  // what is wrong is said in one line, once all has been tried
+    const ShaderCacheByWidth cache;
     std::optional<SetForNow> shaders, threads;
     if (options.quick_shaders) shaders.emplace("GALLIVM_PERF", "nopt");
     if (options.threads > 0) threads.emplace("LP_NUM_THREADS", std::to_string(options.threads));

@@ -70,6 +70,16 @@ class ContextTest(CommandTest):
             self.assert_fails(4, "capture", *out, env=wide, says="LP_NATIVE_VECTOR_WIDTH=512")
         self.assertEqual([p.name for p in self.folder.iterdir() if p.suffix != ".png"], [])
 
+    @unittest.skipUnless("avx2" in pathlib.Path("/proc/cpuinfo").read_text(), "no vectors of 256 bits")
+    def test_code_for_wide_vectors_is_not_taken_for_narrow_ones(self):
+        kept = self.folder / "kept"
+        kept.mkdir()
+        for width in ("256", "128", "256"):
+            done = run("sweep", "--vary", "camera.azimuth=0:9:3", "-o", self.folder / "f-%d.png", *SMALL,
+                       env={"MESA_SHADER_CACHE_DIR": str(kept), "LP_NATIVE_VECTOR_WIDTH": width})
+            self.assertEqual((done.returncode, done.stderr), (0, b""), width)
+        self.assertEqual(sorted(p.name for p in (kept / "normalscope").iterdir()), ["shaders-128", "shaders-256"])
+
     def test_a_check_says_what_the_driver_would_crash_on(self):
         checks = self.file("c.json", json.dumps({"normalscope_check": 1, "checks": [{"scene": "split", "numbers": {"rank": 3}}]}))
         done = run("check", checks, "--junit", self.folder / "j.xml", env={"GALLIUM_DRIVER": "nope"})
