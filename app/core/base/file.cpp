@@ -7,17 +7,11 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 #include <system_error>
 
 namespace normalscope {
 
 namespace {
-
-struct Close {
-    void operator()(std::FILE* f) const { std::fclose(f); }
-};
-using File = std::unique_ptr<std::FILE, Close>;
 
 [[noreturn]] void fail(const std::filesystem::path& file, std::string_view what, int error) {
     throw InputError(file.string(), std::string(what) + ": " + std::strerror(error));
@@ -58,51 +52,60 @@ void write_all(const std::filesystem::path& shown_as, std::FILE* file, std::stri
     throw InputError(name, "is larger than " + std::to_string(largest >> 20) + " MiB, the most that is read");
 }
 
-// `room` is how large it is expected to be.
-std::string read_all(std::FILE* in, const std::string& name, std::size_t room, std::size_t largest) {
-    std::string bytes;
-    bytes.reserve(room);
-    prefer_large_pages(bytes.data(), room);
-    bytes.resize(room);
-    std::size_t filled = 0;
-    while (const std::size_t got = std::fread(bytes.data() + filled, 1, bytes.size() - filled, in)) {
-        filled += got;
-        if (filled > largest) too_large(name, largest);
-        if (filled == bytes.size()) bytes.resize(2 * filled);
-    }
-    if (std::ferror(in)) fail(name, "cannot be read", errno);
-    bytes.resize(filled);
-    return bytes;
-}
-
 std::string& standard_input() {
     static std::string text;
     return text;
 }
 
-constexpr std::size_t kUsualRoom = std::size_t{1} << 16;
+constexpr std::size_t kUsualSize = std::size_t{1} << 16;
 
 }  // namespace
 
-std::string read_file(const std::filesystem::path& file, std::size_t largest) {
-    if (file.native().find('\0') != file.native().npos)
-        throw InputError(file.string(), "a file's name cannot hold a NUL");
-    std::error_code ignored;
-    if (std::filesystem::is_directory(file, ignored)) throw InputError(file.string(), "is a folder, not a file");
+FileReader::FileReader(std::FILE* stream, std::string name, std::size_t largest)
+    : stream_(stream, [](std::FILE*) { return 0; }), name_(std::move(name)), largest_(largest) {}
+
+FileReader::FileReader(const std::filesystem::path& file, std::size_t largest, std::size_t from)
+    : stream_(nullptr, std::fclose), name_(file.string()), largest_(largest), so_far_(from) {
+    if (file.native().find('\0') != file.native().npos) throw InputError(name_, "a file's name cannot hold a NUL");
+    std::error_code ignored, unknown;
+    if (std::filesystem::is_directory(file, ignored)) throw InputError(name_, "is a folder, not a file");
     errno = 0;
-    const File in(open_file(file, "rb"));
-    if (!in) fail(file, "cannot be read", errno);
-    // The size that the file says it has is a hint only: a pipe says nothing, and a file may grow meanwhile.
-    std::error_code unknown;
+    stream_.reset(open_file(file, "rb"));
+    if (!stream_ || (from > 0 && std::fseek(stream_.get(), static_cast<long>(from), SEEK_SET) != 0))
+        fail(file, "cannot be read", errno);
     const std::uintmax_t size = std::filesystem::file_size(file, unknown);
-    if (!unknown && size > largest) too_large(file.string(), largest);
-    return read_all(in.get(), file.string(), unknown ? kUsualRoom : static_cast<std::size_t>(size) + 1, largest);
+    if (unknown) return;
+    if (size > largest) too_large(name_, largest);
+    size_ = static_cast<std::size_t>(size);
+}
+
+std::size_t FileReader::read(std::span<char> to) {
+    const std::size_t got = std::fread(to.data(), 1, to.size(), stream_.get());
+    if (std::ferror(stream_.get())) fail(name_, "cannot be read", errno);
+    so_far_ += got;
+    if (so_far_ > largest_) too_large(name_, largest_);
+    return got;
+}
+
+std::string FileReader::read_all() {
+    const std::size_t room = size_.value_or(kUsualSize) + 1;
+    std::string bytes;
+    bytes.reserve(room);
+    prefer_large_pages(bytes.data(), room);
+    bytes.resize(room);
+    std::size_t filled = 0;
+    while (const std::size_t got = read(std::span(bytes).subspan(filled)))
+        if ((filled += got) == bytes.size()) bytes.resize(2 * filled);
+    bytes.resize(filled);
+    return bytes;
+}
+
+std::string read_file(const std::filesystem::path& file, std::size_t largest) {
+    return FileReader(file, largest).read_all();
 }
 
 std::string read_standard_input(std::size_t largest) {
-    std::string& text = standard_input();
-    text = read_all(stdin, "standard input", kUsualRoom, largest);
-    return text;
+    return standard_input() = FileReader(stdin, "standard input", largest).read_all();
 }
 const std::string& standard_input_so_far() { return standard_input(); }
 

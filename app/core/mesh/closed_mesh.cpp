@@ -1,5 +1,6 @@
 #include "core/mesh/closed_mesh.h"
 
+#include "core/base/beside.h"
 #include "core/base/disjoint_sets.h"
 
 #include <glm/geometric.hpp>
@@ -34,7 +35,8 @@ bool edges_cancel(const std::vector<glm::uvec3>& triangles) {
 }
 
 bool is_closed(const Mesh& mesh) {
-    if (mesh.triangles.empty() || !edges_cancel(mesh.triangles)) return false;
+    if (mesh.triangles.empty()) return false;
+    Beside<bool> has_no_rim = beside([&] { return edges_cancel(mesh.triangles); });
     DisjointSets parts(mesh.positions.size());
     for (const glm::uvec3& t : mesh.triangles) {
         parts.join(t.x, t.y);
@@ -43,7 +45,8 @@ bool is_closed(const Mesh& mesh) {
     std::vector<double> volumes(mesh.positions.size(), 0.0);  // six times, by the divergence theorem
     for (const glm::uvec3& t : mesh.triangles)
         volumes[parts.of(t.x)] += glm::dot(mesh.positions[t.x], glm::cross(mesh.positions[t.y], mesh.positions[t.z]));
-    return std::ranges::all_of(mesh.triangles, [&](const glm::uvec3& t) { return volumes[parts.of(t.x)] > 0.0; });
+    return std::ranges::all_of(mesh.triangles, [&](const glm::uvec3& t) { return volumes[parts.of(t.x)] > 0.0; }) &&
+           has_no_rim.get();
 }
 
 }  // namespace normalscope

@@ -14,11 +14,23 @@ namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;  // some 25 million triangles
 
+template <Polygons (*read)(std::string_view, const std::string&)>
+Mesh load_at_once(const std::filesystem::path& file) {
+    const std::string bytes = read_file(file, kLargestFile), name = file.string();
+    if (bytes.empty()) throw InputError(name + ": is empty; export the mesh anew");
+    return mesh_of(read(bytes, name), name);
+}
+
+Mesh load_in_pieces(const std::filesystem::path& file) {
+    return mesh_of(read_obj_file(file, kLargestFile), file.string());
+}
+
 struct Format {
     std::string_view ending;
-    Polygons (*read)(std::string_view, const std::string&);
+    Mesh (*load)(const std::filesystem::path&);
 };
-constexpr std::array<Format, 3> kFormats{{{".obj", read_obj}, {".ply", read_ply}, {".stl", read_stl}}};
+constexpr std::array<Format, 3> kFormats{
+    {{".obj", load_in_pieces}, {".ply", load_at_once<read_ply>}, {".stl", load_at_once<read_stl>}}};
 
 const Format* format_of(const std::filesystem::path& file) {
     const std::string ending = file.extension().string();
@@ -45,14 +57,11 @@ std::string mesh_endings_in_words(std::string_view between, std::string_view bef
 bool is_mesh_file(const std::filesystem::path& file) { return format_of(file) != nullptr; }
 
 Mesh load_mesh(const std::filesystem::path& file) {
-    const std::string name = file.string();
     const Format* const format = format_of(file);
     if (!format)
-        throw InputError(name + ": its ending names no mesh format; a mesh ends in " +
+        throw InputError(file.string() + ": its ending names no mesh format; a mesh ends in " +
                          mesh_endings_in_words(", ", " or "));
-    const std::string bytes = read_file(file, kLargestFile);
-    if (bytes.empty()) throw InputError(name + ": is empty; export the mesh anew");
-    return mesh_of(format->read(bytes, name), name);
+    return format->load(file);
 }
 
 }  // namespace normalscope

@@ -112,20 +112,20 @@ private:
             if (name.empty() || !count) fail_here("an element of its header has no name or no count");
             const Content content = content_called(name);
             if (content != Content::Unknown && std::ranges::count(header_.elements, content, &Element::content) > 0)
-                fail_here("its header has the element " + quoted(name) + " twice");
+                fail_here("its header has the element " + in_quotes(name) + " twice");
             header_.elements.push_back({std::string(name), *count, content});
         } else if (is_word(key, "property")) {
             if (header_.elements.empty()) fail_here("its header has a property before any element");
             add_property(header_.elements.back());
         } else if (!key.empty() && !is_word(key, "comment") && !is_word(key, "obj_info")) {
-            fail_here("its header has an unknown keyword " + quoted(key));
+            fail_here("its header has an unknown keyword " + in_quotes(key));
         }
     }
     void read_format(std::string_view name) {
         constexpr std::array<std::string_view, 3> kNames{"ascii", "binary_little_endian", "binary_big_endian"};
         const auto* const at = std::ranges::find_if(kNames, [&](auto known) { return is_word(name, known); });
         if (at == kNames.end())
-            fail_here("its header has the unknown format " + quoted(name) +
+            fail_here("its header has the unknown format " + in_quotes(name) +
                       "; known are ascii, binary_little_endian and binary_big_endian");
         header_.format = static_cast<Format>(at - kNames.begin());
         has_format_ = true;
@@ -142,14 +142,14 @@ private:
         added.name = words_.next();
         added.use = use_of(added, element.content);
         if (added.use != Use::Skip && element.has(added.use))
-            fail_here("its header has the property " + quoted(added.name) + " twice");
+            fail_here("its header has the property " + in_quotes(added.name) + " twice");
         if (added.use == Use::Indices && added.type.kind == Type::Kind::Floating)
-            fail_here("the numbers of vertices in " + quoted(added.name) + " are no whole numbers");
+            fail_here("the numbers of vertices in " + in_quotes(added.name) + " are no whole numbers");
         element.properties.push_back(std::move(added));
     }
     Type type_from(std::string_view name) const {
         if (const auto type = type_called(name)) return *type;
-        fail_here("its header has the unknown type " + quoted(name));
+        fail_here("its header has the unknown type " + in_quotes(name));
     }
     void require_surface() const {
         const auto vertices = std::ranges::find(header_.elements, Content::Vertices, &Element::content);

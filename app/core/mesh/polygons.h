@@ -4,7 +4,9 @@
 
 #include "core/mesh/mesh.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <string>
@@ -32,13 +34,15 @@ struct Polygons {
     std::vector<Block> faces;
     std::string_view lacking = "normals";  ///< what the note calls the normals that the file does not have
     std::string note{};                    ///< what else the user should know of the file; empty if nothing
-    /// The line of a face, counted from 0, as long as the text is there; none where lines mean nothing to a user.
+    /// The line of a face, counted from 0, as long as the text or file is there; none where lines mean nothing to a user.
     std::function<std::size_t(std::size_t face)> line_of_face{};
 };
 
 /// Readers check what the file's format demands. They throw InputError; `file` names the text in errors. An index of
 /// Polygons::kNowhere is one that no file has.
 Polygons read_obj(std::string_view text, const std::string& file);
+/// The same piece by piece, so that a large file is never in memory as a whole: what the system takes to clear that.
+Polygons read_obj_file(const std::filesystem::path& file, std::size_t largest);
 Polygons read_ply(std::string_view bytes, const std::string& file);
 Polygons read_stl(std::string_view bytes, const std::string& file);
 

@@ -1,11 +1,17 @@
 #include "core/base/beside.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/mesh/polygons.h"
 #include "core/mesh/words.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <optional>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <utility>
 
 namespace normalscope {
 
@@ -19,7 +25,7 @@ struct Part {
     Polygons::Block faces;
     bool relative = false;  // counts back from the vertices read so far
     std::string mistake{};  // of the statement that cannot be used; empty: there is none
-    std::size_t left = 0;   // where it is: characters up to the part's end
+    std::size_t place = 0;  // of the last statement, in the file
 };
 
 // OBJ counts from 1, or back from the last if negative; 0 stands for an index that is not given. What lies outside of
@@ -30,48 +36,37 @@ std::int32_t index_of(std::int64_t given, std::size_t so_far) {
                                                             : std::min<std::int64_t>(index, Polygons::kNowhere));
 }
 
-// Takes one of a corner's numbers, up to a slash: 0 where there is none, and nothing where there is something else.
-std::optional<std::int64_t> taken_index(std::string_view& corner) {
-    constexpr std::int64_t kBeyondAll = std::int64_t{1} << 40;
-    const char *at = corner.data(), *const end = at + corner.size();
-    const bool negative = at < end && *at == '-';
-    at += negative ? 1 : 0;
-    const char* const digits = at;
-    std::int64_t index = 0;
-    for (; at < end && *at >= '0' && *at <= '9'; ++at) index = std::min(10 * index + (*at - '0'), kBeyondAll);
-    if ((negative && at == digits) || (at < end && *at != '/')) return std::nullopt;
-    if (at < end) ++at;
-    corner.remove_prefix(static_cast<std::size_t>(at - corner.data()));
-    return negative ? -index : index;
+// A vertex's number, or 1/2/3, of which the second is its texture's and the third its normal's; 0 where there is none.
+bool read_corner(Words& words, std::array<std::int64_t, 3>& numbers) {
+    if (words.take('/')) return false;
+    for (std::int64_t& number : numbers) {
+        if (!words.index(number)) return false;
+        if (!words.take('/')) break;
+    }
+    return words.word_is_over();
 }
 
 void read_face(Words& words, Part& part) {
     std::uint32_t size = 0;
-    for (std::string_view word = words.next(); !word.empty(); word = words.next(), ++size) {
-        std::string_view rest = word;
-        const auto position = taken_index(rest), texture = taken_index(rest), normal = taken_index(rest);
-        if (!position || !texture || !normal || !rest.empty() || word.starts_with('/')) {
-            part.mistake = quoted(word) + " is no corner of a face, which is a vertex's number, or 1/2/3";
+    for (; !words.line_is_over(); ++size) {
+        Words corner = words;
+        std::array<std::int64_t, 3> numbers{};
+        if (!read_corner(words, numbers)) {
+            part.mistake = in_quotes(corner.next()) + " is no corner of a face, which is a vertex's number, or 1/2/3";
             return;
         }
-        part.relative = part.relative || *position < 0 || *normal < 0;
+        const auto [position, texture, normal] = numbers;
+        part.relative = part.relative || position < 0 || normal < 0;
         part.faces.corners.push_back(
-            {index_of(*position, part.positions.size()), index_of(*normal, part.normals.size())});
+            {index_of(position, part.positions.size()), index_of(normal, part.normals.size())});
     }
     part.faces.sizes.push_back(size);
 }
 
 // Materials, groups, lines, free-form curves: everything but vertices, normals and faces is left out.
-Part read_part(std::string_view text) {
-    Part part;
-    // Of a large file with normals there is as much as this, mostly: what is reserved and not used costs nothing, but to
-    // grow again and again is what a tenth of the reading goes to.
-    part.positions.reserve(text.size() / 56);
-    part.normals.reserve(text.size() / 56);
-    part.faces.corners.reserve(text.size() / 14);
-    part.faces.sizes.reserve(text.size() / 42);
-    for (Words words(text, LineSyntax::Obj); !words.at_end(); words.skip_line()) {
-        const std::size_t left = words.rest().size();
+void read_statements(std::string_view text, std::size_t place, Part& part) {
+    for (Words words(text, LineSyntax::Obj); !words.at_end() && part.mistake.empty(); words.skip_line()) {
+        part.place = place + static_cast<std::size_t>(words.rest().data() - text.data());
         const std::string_view kind = words.next();
         glm::dvec3 numbers(0.0);
         if (is_word(kind, "v")) {
@@ -83,12 +78,7 @@ Part read_part(std::string_view text) {
         } else if (is_word(kind, "f") || is_word(kind, "fo")) {
             read_face(words, part);
         }
-        if (!part.mistake.empty()) {
-            part.left = left;
-            return part;
-        }
     }
-    return part;
 }
 
 bool is_continued(std::string_view text, std::size_t newline) {
@@ -96,22 +86,15 @@ bool is_continued(std::string_view text, std::size_t newline) {
     return line.ends_with('\\') || line.ends_with("\\\r");
 }
 
-// Cut at line ends into so many parts of about the same length.
-std::vector<std::string_view> cut(std::string_view text, std::size_t count) {
-    std::vector<std::string_view> parts;
-    std::size_t begin = 0;
-    for (std::size_t i = 1; i <= count; ++i) {
-        std::size_t newline = i == count ? text.npos : text.find('\n', std::max(begin, text.size() / count * i));
-        while (newline != text.npos && is_continued(text, newline)) newline = text.find('\n', newline + 1);
-        const std::size_t end = newline == text.npos ? text.size() : newline + 1;
-        if (end > begin) parts.push_back(text.substr(begin, end - begin));
-        begin = end;
-    }
-    return parts;
+// The place after the last line end at which no statement goes on; 0 where there is none.
+std::size_t end_of_statements(std::string_view text) {
+    std::size_t newline = text.rfind('\n');
+    while (newline != text.npos && newline > 0 && is_continued(text, newline)) newline = text.rfind('\n', newline - 1);
+    return newline == text.npos ? 0 : newline + 1;
 }
 
 std::size_t line_of_face(std::string_view text, std::size_t face) {
-    Words words(text, LineSyntax::Obj);
+    Words words(without_mark(text), LineSyntax::Obj);
     for (; !words.at_end(); words.skip_line()) {
         const std::size_t place = text.size() - words.rest().size();
         const std::string_view kind = words.next();
@@ -120,36 +103,103 @@ std::size_t line_of_face(std::string_view text, std::size_t face) {
     return 0;
 }
 
-std::vector<Part> read_parts(const std::vector<std::string_view>& texts) {
-    std::vector<Beside<Part>> others;
-    for (std::size_t i = 1; i < texts.size(); ++i)
-        others.push_back(beside([text = texts[i]] { return read_part(text); }));
-    std::vector<Part> parts;
-    if (!texts.empty()) parts.push_back(read_part(texts[0]));
-    for (Beside<Part>& part : others) parts.push_back(part.get());
+/// Gives so many characters more; fewer only at the end.
+using Reader = std::function<std::size_t(std::span<char>)>;
+
+struct Source {
+    std::function<Reader(std::size_t from)> open;
+    std::size_t size = 0;  ///< characters
+    std::function<std::string()> all;
+    std::string name;
+};
+
+/// Characters of a source, whole statements.
+struct Range {
+    std::size_t begin = 0, end = 0;
+};
+
+// A piece at a time in the same memory: for the system to clear as much as a large file takes longer than to read it.
+Part read_part(const Source& source, const Range& range) {
+    constexpr std::size_t kPiece = std::size_t{1} << 20;
+    const std::size_t size = range.end - range.begin;
+    Part part;
+    // What is reserved and not used costs nothing, but to grow again and again is what a tenth of the reading goes to.
+    part.positions.reserve(size / 56);
+    part.normals.reserve(size / 56);
+    part.faces.corners.reserve(size / 14);
+    part.faces.sizes.reserve(size / 42);
+
+    const Reader read = source.open(range.begin);
+    std::vector<char> buffer(std::min(size, kPiece));
+    std::size_t place = range.begin, filled = 0;
+    while (place < range.end && part.mistake.empty()) {
+        const std::size_t room = std::min(buffer.size() - filled, range.end - place - filled);
+        const std::size_t got = read(std::span(buffer).subspan(filled, room));
+        filled += got;
+        const std::string_view text(buffer.data(), filled);
+        const bool is_last = got < room || place + filled == range.end;
+        const std::size_t end = is_last ? filled : end_of_statements(text);
+        const std::string_view statements = place > 0 ? text.substr(0, end) : without_mark(text.substr(0, end));
+        read_statements(statements, place + end - statements.size(), part);
+        if (is_last) break;
+        place += end;
+        filled -= end;
+        std::copy_n(buffer.data() + end, filled, buffer.data());
+        if (filled == buffer.size()) buffer.resize(2 * filled);
+    }
+    return part;
+}
+
+// The end of some statement near there.
+std::size_t boundary(const Source& source, std::size_t near) {
+    constexpr std::size_t kContinuation = 2;  // characters that tell whether a line end is one
+    const std::size_t from = near - kContinuation;
+    const Reader read = source.open(from);
+    std::string text;
+    for (std::size_t room = 4096;; room *= 2) {
+        const std::size_t filled = text.size();
+        text.resize(room);
+        const std::size_t got = read(std::span(text).subspan(filled));
+        text.resize(filled + got);
+        if (const std::size_t end = end_of_statements(text); end > kContinuation) return from + end;
+        if (text.size() < room) return source.size;
+    }
+}
+
+// At least one.
+std::vector<Range> ranges_of(const Source& source, std::size_t count) {
+    std::vector<Range> ranges;
+    std::size_t begin = 0;
+    for (std::size_t i = 1; i <= count; ++i) {
+        const std::size_t at = source.size / count * i, end = i == count ? source.size : boundary(source, at);
+        if (end > begin || (i == count && ranges.empty())) ranges.push_back({begin, end});
+        begin = std::max(begin, end);
+    }
+    return ranges;
+}
+
+std::vector<Part> read_parts(const Source& source, const std::vector<Range>& ranges) {
+    std::vector<Part> parts(ranges.size());
+    in_parts(ranges.size(), ranges.size(),
+             [&](std::size_t i, std::size_t, std::size_t) { parts[i] = read_part(source, ranges[i]); });
     return parts;
 }
 
-}  // namespace
-
-Polygons read_obj(std::string_view text, const std::string& file) {
-    text = without_mark(text);
-    std::vector<std::string_view> texts = cut(text, threads_for(text.size(), kTextWorthAThread));
-    std::vector<Part> parts = read_parts(texts);
+Polygons polygons_of(const Source& source) {
+    std::vector<Part> parts = read_parts(source, ranges_of(source, threads_for(source.size, kTextWorthAThread)));
     // Indices that count back need everything before them: read the file in one go.
-    if (std::any_of(parts.begin() + (parts.empty() ? 0 : 1), parts.end(), [](const Part& p) { return p.relative; }))
-        parts = read_parts(texts = {text});
+    if (std::any_of(parts.begin() + 1, parts.end(), [](const Part& p) { return p.relative; }))
+        parts = read_parts(source, ranges_of(source, 1));
 
     Polygons polygons;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (parts[i].mistake.empty()) continue;
-        const char* const place = texts[i].data() + texts[i].size() - parts[i].left;
-        const std::size_t line = Words::line_at(text, static_cast<std::size_t>(place - text.data()));
-        throw InputError(file + ": line " + std::to_string(line) + ": " + parts[i].mistake +
-                         "; repair or export the mesh anew");
-    }
     std::size_t positions = 0, normals = 0;
-    for (const Part& part : parts) positions += part.positions.size(), normals += part.normals.size();
+    for (const Part& part : parts) {
+        positions += part.positions.size();
+        normals += part.normals.size();
+        if (part.mistake.empty()) continue;
+        throw InputError(source.name + ": line " + std::to_string(Words::line_at(source.all(), part.place)) + ": " +
+                         part.mistake + "; repair or export the mesh anew");
+    }
     polygons.positions.reserve(positions);
     polygons.normals.reserve(normals);
     for (Part& part : parts) {
@@ -158,8 +208,38 @@ Polygons read_obj(std::string_view text, const std::string& file) {
         polygons.normals.insert(polygons.normals.end(), part.normals.begin(), part.normals.end());
     }
     if (polygons.positions.empty())
-        throw InputError(file + ": has no vertices, so it is no OBJ file; a mesh's ending must be its format's");
-    polygons.line_of_face = [text](std::size_t face) { return line_of_face(text, face); };
+        throw InputError(source.name + ": has no vertices, so it is no OBJ file; a mesh's ending must be its format's");
+    polygons.line_of_face = [all = source.all](std::size_t face) { return line_of_face(all(), face); };
+    return polygons;
+}
+
+}  // namespace
+
+Polygons read_obj(std::string_view text, const std::string& file) {
+    const auto open = [text](std::size_t from) -> Reader {
+        return [left = text.substr(from)](std::span<char> to) mutable {
+            const std::size_t size = left.copy(to.data(), to.size());
+            left.remove_prefix(size);
+            return size;
+        };
+    };
+    return polygons_of({open, text.size(), [text] { return std::string(text); }, file});
+}
+
+Polygons read_obj_file(const std::filesystem::path& file, std::size_t largest) {
+    const std::string name = file.string();
+    const std::size_t size = FileReader(file, largest).size().value_or(0);
+    if (size > 0) {
+        const auto open = [&](std::size_t from) -> Reader {
+            auto reader = std::make_shared<FileReader>(file, largest, from);
+            return [reader](std::span<char> to) { return reader->read(to); };
+        };
+        return polygons_of({open, size, [file, largest] { return read_file(file, largest); }, name});
+    }
+    const auto text = std::make_shared<const std::string>(read_file(file, largest));
+    if (text->empty()) throw InputError(name + ": is empty; export the mesh anew");
+    Polygons polygons = read_obj(*text, name);
+    polygons.line_of_face = [text](std::size_t face) { return line_of_face(*text, face); };
     return polygons;
 }
 

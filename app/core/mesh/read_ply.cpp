@@ -162,11 +162,11 @@ private:
         throw InputError(file_ + ": " + source_.where() + what + "; repair or export the mesh anew");
     }
     static std::string entry(const Element& element, std::size_t i) {
-        return "entry " + std::to_string(i + 1) + " of " + quoted(element.name);
+        return "entry " + std::to_string(i + 1) + " of " + in_quotes(element.name);
     }
     [[noreturn]] void fail_at_end(const Element& element) const {
         throw InputError(file_ + ": ends before its " + std::to_string(element.count) + " entries of " +
-                         quoted(element.name) + " do; export the mesh anew");
+                         in_quotes(element.name) + " do; export the mesh anew");
     }
     // Why an entry could not be read.
     [[noreturn]] void fail_to_read(const Element& element, std::size_t i) {

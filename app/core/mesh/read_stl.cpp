@@ -125,11 +125,11 @@ private:
     }
     void expect(std::string_view keyword) {
         if (const std::string_view word = next(); !is_word(word, keyword))
-            fail("has " + quoted(word) + " where " + quoted(keyword) + " should be");
+            fail("has " + in_quotes(word) + " where " + in_quotes(keyword) + " should be");
     }
     void read_solid() {
         for (std::string_view word = next(); !is_word(word, "endsolid"); word = next()) {
-            if (!is_word(word, "facet")) fail("has " + quoted(word) + " where \"facet\" or \"endsolid\" should be");
+            if (!is_word(word, "facet")) fail("has " + in_quotes(word) + " where \"facet\" or \"endsolid\" should be");
             read_facet();
         }
         words_.skip_line();
@@ -141,7 +141,7 @@ private:
         std::array<glm::dvec3, 3> corners;
         std::size_t count = 0;
         for (std::string_view word = next(); !is_word(word, "endloop"); word = next(), ++count) {
-            if (!is_word(word, "vertex")) fail("has " + quoted(word) + " where \"vertex\" or \"endloop\" should be");
+            if (!is_word(word, "vertex")) fail("has " + in_quotes(word) + " where \"vertex\" or \"endloop\" should be");
             if (count == corners.size()) fail("is a facet's fourth vertex, and a facet has three");
             if (!words_.numbers(corners[count])) fail("a vertex needs three numbers");
         }

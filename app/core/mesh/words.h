@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -28,7 +29,7 @@ inline std::string_view without_mark(std::string_view text) {
 }
 
 /// As much of a word of a file as fits a message, in quotes: printable, and of one line.
-inline std::string quoted(std::string_view word) {
+inline std::string in_quotes(std::string_view word) {
     constexpr std::size_t kLongest = 30;
     std::string text(word.substr(0, kLongest));
     std::ranges::replace_if(text, [](char c) { return c < ' ' || c > '~'; }, '?');
@@ -82,7 +83,24 @@ public:
     /// Whether no word follows in this line.
     bool line_is_over() {
         skip_blanks();
-        return at_ == end_ || ends_word();
+        return word_is_over();
+    }
+    bool word_is_over() const { return at_ == end_ || ends_word(); }
+    /// Goes past this character, if it is the next one.
+    bool take(char c) {
+        const bool found = at_ < end_ && *at_ == c;
+        at_ += found ? 1 : 0;
+        return found;
+    }
+    /// A whole number, or 0 where no digit stands; false for a minus alone. What is too large for any file's index stays so.
+    bool index(std::int64_t& to) {
+        constexpr std::int64_t kBeyondAll = std::int64_t{1} << 40;
+        const bool negative = take('-');
+        const char* const digits = at_;
+        for (to = 0; at_ < end_ && *at_ >= '0' && *at_ <= '9'; ++at_)
+            if (to < kBeyondAll) to = 10 * to + (*at_ - '0');
+        if (negative) to = -to;
+        return !negative || at_ > digits;
     }
     /// Such as -1.5e3, in this line; false where the next word is no such number.
     bool number(double& to) {
@@ -90,7 +108,7 @@ public:
         if (at_ < end_ && *at_ == '+') ++at_;
         const std::size_t length = read_decimal({at_, end_}, to);
         at_ += length;
-        return length > 0 && (at_ == end_ || ends_word());
+        return length > 0 && word_is_over();
     }
     bool numbers(glm::dvec3& to) { return number(to.x) && number(to.y) && number(to.z); }
 

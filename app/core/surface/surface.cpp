@@ -1,5 +1,6 @@
 #include "core/surface/surface.h"
 
+#include "core/base/beside.h"
 #include "core/base/overload.h"
 #include "core/mesh/mesh_file.h"
 #include "core/surface/formula_note.h"
@@ -17,6 +18,7 @@ namespace normalscope {
 
 namespace {
 
+constexpr std::size_t kTrianglesWorthAThread = 50'000;
 constexpr int kFormulaCells = 40;  // a side: some thousand vertices for arrows to stand on
 
 // As near to f = 0 as rounding lets it come, but for vertices beside a double point.
@@ -61,10 +63,12 @@ std::shared_ptr<const Surface> SurfaceCache::get(const Scene& scene, const Stop&
     }
     surface->tree = tree_;  // flat shading changes no triangle's place
     surface->implicit = implicit_;
-    surface->area = surface_area(*mesh_);
+    const Begin begin = mesh_->triangles.size() < kTrianglesWorthAThread ? Begin::WhenAsked : Begin::AtOnce;
+    Beside<double> area = beside([mesh = mesh_] { return surface_area(*mesh); }, begin);
     for (const glm::dvec3& p : mesh_->positions) surface->extent = glm::max(surface->extent, glm::abs(p));
     std::vector<Site> sites = faces ? face_sites(*mesh_) : vertex_sites(*mesh_);
     if (implicit_) std::erase_if(sites, [&](const Site& s) { return !lies_on(*implicit_, s.point); });
+    surface->area = area.get();
     surface->arrows = thinned(std::move(sites), static_cast<std::size_t>(scene.arrows.every),
                               static_cast<std::size_t>(scene.arrows.limit), surface->area);
     if (faces)

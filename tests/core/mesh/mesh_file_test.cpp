@@ -182,6 +182,11 @@ TEST_F(MeshFile, LargeFilesAreReadInPartsAlike) {
     EXPECT_SAYS(error("d.obj", vertices + faces + "f 1 2 90001\n"), "line 179749: face 89749 refers");
     // Parts are not cut where a line is continued.
     EXPECT_EQ(load("e.obj", with(vertices + faces, " ", " \\\n")).triangles, one.triangles);
+    EXPECT_EQ(load("f.obj", with(vertices + faces, "\n", "\\\r\n\r\n")).triangles, one.triangles);
+    EXPECT_EQ(load("g.obj", with(vertices + faces, "\n", "\r")).triangles, one.triangles);
+    // A byte order mark counts for a place, and not for a line.
+    EXPECT_SAYS(error("h.obj", "\xEF\xBB\xBF" + vertices + faces + "v 1 2 x\n"), "line 179749");
+    EXPECT_SAYS(error("i.obj", "\xEF\xBB\xBF" + vertices + faces + "f 1 2 90001\n"), "line 179749: face 89749 refers");
 }
 
 TEST_F(MeshFile, BadObj) {
