@@ -125,11 +125,15 @@ struct Studio::Equipment {
     std::optional<OffscreenGui> gui;
 };
 
-// For many pictures optimised shaders save more time than they take to compile (of 640x360 pixels, from about 25 on);
-// the pictures are the same to the last bit. And where each process draws with as many threads as there are processors,
-// they are only in each other's way.
+// For many pictures, or as many arrows as can be in one, optimised shaders save more time than they take to compile; the
+// pictures are the same to the last bit. And where each process draws with as many threads as there are processors, they
+// are only in each other's way.
+constexpr std::size_t kManyPictures = 25;  // of 640x360 pixels
+constexpr int kArrowsWorthIt = 300'000;
+
 Studio::Studio(const StudioOptions& options)
-    : context_{.choice = options.context, .quick_shaders = options.pictures < 25}, alone_(options.pictures == 1) {
+    : context_{.choice = options.context, .quick_shaders = options.pictures < kManyPictures},
+      alone_(options.pictures == 1) {
     if (options.jobs > 1) context_.threads = std::max<std::size_t>(1, processors() / options.jobs);
 
     const std::string crashing = crashing_driver_variables([&] { capture(Scene{}, {.size = {16, 16}}); });
@@ -140,8 +144,11 @@ Studio::Studio(const StudioOptions& options)
 }
 Studio::~Studio() = default;
 
-Studio::Equipment& Studio::equipment() {
-    if (!equipment_) equipment_ = std::make_unique<Equipment>(context_);
+Studio::Equipment& Studio::equipment(const Scene& first) {
+    if (equipment_) return *equipment_;
+    const bool no_arrows = first.arrows.show && first.arrows.show->empty();
+    if (first.arrows.limit >= kArrowsWorthIt && !no_arrows) context_.quick_shaders = false;
+    equipment_ = std::make_unique<Equipment>(context_);
     return *equipment_;
 }
 
@@ -156,7 +163,7 @@ Studio::TabPicture Studio::draw_tab(const Scene& scene, const CaptureOptions& op
     constexpr float kTallest = 4000.0f;  // more than any of them
     constexpr float kSmallest = 0.25f;   // that an interface has
     scale = std::max(scale, kSmallest);
-    Equipment& equipment = this->equipment();
+    Equipment& equipment = this->equipment(scene);
     CaptureOptions tab = options;
     tab.size = glm::ivec2(scale * glm::vec2(kBeside + kSideWidth, kTallest));
     const PixelRect rect = equipment.open_interface(scene, tab, scale);
@@ -234,7 +241,7 @@ Capture Studio::capture(const Scene& scene, const CaptureOptions& options) {
 
 Capture Studio::draw(const Scene& scene, const CaptureOptions& options, const std::optional<glm::vec3>& plain_ground) {
     const bool first = !equipment_;
-    (void)equipment();
+    (void)equipment(scene);
     // A large mesh takes as long to read as shaders take to compile: do both at once.
     auto loading = beside([&] { return surfaces_.get(scene); }, first ? Begin::AtOnce : Begin::WhenAsked);
     Target& target = equipment_->target_for(options);

@@ -68,7 +68,8 @@ private:
     Capture draw_with_tab(const Scene& scene, CaptureOptions options);
     struct TabPicture;
     TabPicture draw_tab(const Scene& scene, const CaptureOptions& options, float scale);
-    Equipment& equipment();
+    /// Made for the first scene.
+    Equipment& equipment(const Scene& first);
 
     ContextOptions context_;
     bool alone_;  ///< there is one picture

@@ -131,10 +131,18 @@ struct ArrowField::Part {
     bool hidden = false;
 };
 
-ArrowField::ArrowField(std::span<const Site> sites) : sites_(sites), in_clusters_(site_clusters(sites)) {
+ArrowField::ArrowField(std::span<const Site> sites)
+    : sites_(sites),
+      clustering_(beside([sites] { return site_clusters(sites); },
+                         sites.size() < kHidingFrom ? Begin::WhenAsked : Begin::AtOnce)) {
     glBindVertexArray(box_array_.id());
     bind_and_fill(boxes_, GL_ARRAY_BUFFER, 0, nullptr);
     attribute(kPosition, 3, GL_FLOAT, sizeof(glm::vec3), 0);
+}
+
+const SiteClusters& ArrowField::in_clusters() {
+    if (clustering_) in_clusters_ = clustering_.get();
+    return in_clusters_;
 }
 
 bool ArrowField::has_heads() const { return sites_.size() < kNeedlesFrom; }
@@ -178,7 +186,7 @@ const ArrowField::Kind& ArrowField::kind(ArrowLook look) {
         filled += size;
         part.clear();
     };
-    for (const std::uint32_t i : in_clusters_.order) {
+    for (const std::uint32_t i : in_clusters().order) {
         part.insert(part.end(), outline.vertices.size(), site_vertex(sites_[i]));
         if (part.size() >= kAtOnce) send();
     }
@@ -186,11 +194,11 @@ const ArrowField::Kind& ArrowField::kind(ArrowLook look) {
     return kind;
 }
 
-std::vector<ArrowField::Part> ArrowField::front_to_back(const ArrowDraw& draw, const CameraView& view) const {
+std::vector<ArrowField::Part> ArrowField::front_to_back(const ArrowDraw& draw, const CameraView& view) {
     const glm::dvec4 depth = glm::row(view.clip_from_world(), 3),
                      behind_near = glm::row(view.clip_from_world(), 2) + depth;
     std::vector<Part> parts;
-    for (const SiteCluster& cluster : in_clusters_.clusters) {
+    for (const SiteCluster& cluster : in_clusters().clusters) {
         const std::optional<WorldBox> box = arrows_box(cluster, draw);
         Part& part = parts.emplace_back(&cluster, box.value_or(WorldBox{}));
         const glm::dvec3 middle = 0.5 * (part.box.low + part.box.high), half = part.box.high - middle;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/beside.h"
 #include "core/frame/frame.h"
 #include "core/picture/site_clusters.h"
 #include "gl/objects.h"
@@ -34,13 +35,15 @@ private:
         GlBuffer shapes, sites, corners;
         GLsizei shape_vertices = 0, shape_corners = 0;  ///< of each
     };
+    const SiteClusters& in_clusters();
     const Kind& kind(ArrowLook look);
-    std::vector<Part> front_to_back(const ArrowDraw& draw, const CameraView& view) const;
+    std::vector<Part> front_to_back(const ArrowDraw& draw, const CameraView& view);
     static void draw_parts(const Kind& kind, std::span<const Part> parts);
     void find_hidden(std::span<Part> parts, const CameraView& view);
 
     std::span<const Site> sites_;
-    SiteClusters in_clusters_;
+    Beside<SiteClusters> clustering_;
+    SiteClusters in_clusters_;         // once that is ready
     std::map<ArrowLook, Kind> kinds_;  // made when first wanted
     GlVertexArray box_array_;
     GlBuffer boxes_;

@@ -38,10 +38,10 @@ struct Resources {
 
     void hold(const std::shared_ptr<const Surface>& wanted) {
         if (surface == wanted) return;
-        mesh.emplace(wanted->mesh);
         arrows.clear();
         arrow_field.reset();
         if (wanted->arrows.size() >= ArrowField::kFrom) arrow_field.emplace(wanted->arrows);
+        mesh.emplace(wanted->mesh);
         surface = wanted;
     }
 

@@ -1,11 +1,13 @@
 #include "core/surface/mesh_probe.h"
 
+#include "core/base/beside.h"
 #include "core/surface/box_image.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <compare>
 #include <limits>
 #include <tuple>
 #include <vector>
@@ -210,23 +212,36 @@ std::optional<SurfaceHit> first_hit(const Mesh& mesh, const Transform<World, Obj
 }
 
 std::optional<std::size_t> nearest_triangle(const Mesh& mesh, Point<Object> p, const TriangleTree* tree) {
-    double nearest = kInfinity;
-    std::size_t triangle = mesh.triangles.size();
-    search(
-        mesh, tree, [&](const formulas::Box& box) { return squared_gap(box, p.xyz); },
-        [&](std::size_t i) {
+    constexpr std::size_t kWorthAThread = 100'000;
+    struct Nearest {
+        double squared = kInfinity;
+        std::size_t triangle = 0;
+        auto operator<=>(const Nearest&) const = default;
+        void look_at(const Mesh& mesh, std::size_t i, const glm::dvec3& p) {
             const glm::uvec3& t = mesh.triangles[i];
             const glm::dvec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];
-            const glm::dvec3 at = nearest_barycentric(a, b, c, p.xyz);
-            const glm::dvec3 gap = at.x * a + at.y * b + at.z * c - p.xyz;
-            const double squared = glm::dot(gap, gap);
-            if (std::tie(squared, i) < std::tie(nearest, triangle)) {
-                nearest = squared;
-                triangle = i;
-            }
-            return nearest;
+            const glm::dvec3 at = nearest_barycentric(a, b, c, p);
+            const glm::dvec3 gap = at.x * a + at.y * b + at.z * c - p;
+            const Nearest other{glm::dot(gap, gap), i};
+            if (other < *this) *this = other;
+        }
+    };
+    const std::size_t count = mesh.triangles.size();
+    std::vector<Nearest> nearest(tree ? 1 : threads_for(count, kWorthAThread));
+    if (tree)
+        tree->search([&](const formulas::Box& box) { return squared_gap(box, p.xyz); },
+                     [&](std::size_t i) {
+                         nearest[0].look_at(mesh, i, p.xyz);
+                         return nearest[0].squared;
+                     });
+    else
+        in_parts(nearest.size(), count, [&](std::size_t part, std::size_t begin, std::size_t end) {
+            Nearest own;
+            for (std::size_t i = begin; i < end; ++i) own.look_at(mesh, i, p.xyz);
+            nearest[part] = own;
         });
-    return nearest < kInfinity ? std::optional(triangle) : std::nullopt;
+    const Nearest first = *std::ranges::min_element(nearest);
+    return first.squared < kInfinity ? std::optional(first.triangle) : std::nullopt;
 }
 
 std::optional<Probe> nearest_probe(const Mesh& mesh, Point<Object> p, const TriangleTree* tree) {
