@@ -1,6 +1,6 @@
 #include "core/program/evaluate.h"
 
-#include "core/base/beside.h"
+#include "core/program/points_in_parts.h"
 #include "core/program/steps.h"
 
 #include <vector>
@@ -75,15 +75,6 @@ std::array<Interval, 3> intervals(const Box& box) {
     return {Interval{box.low.x, box.high.x}, Interval{box.low.y, box.high.y}, Interval{box.low.z, box.high.z}};
 }
 
-// work(begin, end) for parts of so many points, each in a thread of its own where that is worth one.
-template <class Work>
-void in_parts(const Program& program, std::size_t points, const Work& work) {
-    constexpr std::size_t kWorthAThread = 500'000;  // steps of points, some milliseconds
-    normalscope::in_parts(
-        threads_for(points * program.size(), kWorthAThread), points,
-        [&](std::size_t, std::size_t begin, std::size_t end) { work(begin, end); }, kLanes);
-}
-
 // 1/0 is infinite in the middle of a computation; as a result it has no real value.
 double real_or_nan(double v) { return std::isfinite(v) ? v : real::kNaN; }
 
@@ -117,7 +108,7 @@ IntervalSample sample(const Program& program, const Box& box) {
 }
 
 void values(const Program& program, std::span<const glm::dvec3> points, std::span<double> values) {
-    in_parts(program, points.size(), [&](std::size_t begin, std::size_t end) {
+    points_in_parts(program, points.size(), kLanes, [&](std::size_t begin, std::size_t end) {
         std::vector<Lanes> scratch(program.size());
         for (; begin < end; begin += kLanes) {
             forward<Lanes>(program, gathered(points, begin), scratch);
@@ -128,7 +119,7 @@ void values(const Program& program, std::span<const glm::dvec3> points, std::spa
 }
 
 void samples(const Program& program, std::span<const glm::dvec3> points, std::span<Sample> samples) {
-    in_parts(program, points.size(), [&](std::size_t begin, std::size_t end) {
+    points_in_parts(program, points.size(), kLanes, [&](std::size_t begin, std::size_t end) {
         std::vector<Lanes> scratch(2 * program.size());
         const std::span<Lanes> v(scratch.data(), program.size()), d(scratch.data() + program.size(), program.size());
         for (; begin < end; begin += kLanes) {

@@ -1,5 +1,6 @@
 #include "core/program/single.h"
 
+#include "core/program/points_in_parts.h"
 #include "core/program/steps.h"
 
 #include <algorithm>
@@ -46,11 +47,13 @@ Single where(Single a, Single c, Single b) { return Single(real::where(a.v, c.v,
 }  // namespace
 
 void values_in_floats(const Program& program, std::span<const glm::dvec3> points, std::span<double> values) {
-    std::vector<Single> steps(program.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        forward<Single>(program, {Single(points[i].x), Single(points[i].y), Single(points[i].z)}, steps);
-        values[i] = steps.back().v;
-    }
+    points_in_parts(program, points.size(), 1, [&](std::size_t begin, std::size_t end) {
+        std::vector<Single> steps(program.size());
+        for (std::size_t i = begin; i < end; ++i) {
+            forward<Single>(program, {Single(points[i].x), Single(points[i].y), Single(points[i].z)}, steps);
+            values[i] = steps.back().v;
+        }
+    });
 }
 
 }  // namespace normalscope::formulas

@@ -1,6 +1,7 @@
 // Surface nets (Gibson, "Constrained elastic surface nets", 1998): a vertex in each cell of a grid whose corners differ in
 // sign, a quad across each edge whose ends do. Every vertex then goes down the gradient onto the surface itself.
 
+#include "core/base/beside.h"
 #include "core/mesh/closed_mesh.h"
 #include "core/program/zero_crossing.h"
 #include "core/surface/box_cut.h"
@@ -17,6 +18,8 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -70,9 +73,32 @@ private:
                 for (c.x = 0; c.x < counts_.x; ++c.x) f(c);
     }
 
+    /// work(begin, end) for all of so many, for each of which f is computed several times.
+    template <class Work>
+    void in_threads(std::size_t count, const Work& work) const {
+        constexpr std::size_t kStepsWorthAThread = 50'000;
+        in_parts(threads_for(count * surface_.program().size(), kStepsWorthAThread), count,
+                 [&](std::size_t, std::size_t begin, std::size_t end) { work(begin, end); });
+    }
+
     void evaluate();
-    double crossing(const glm::ivec3& c, glm::length_t axis);
-    void find_crossings();
+    /// From a corner of the grid along an axis.
+    struct GridEdge {
+        glm::ivec3 from;
+        glm::length_t axis;
+    };
+    std::size_t key(const GridEdge& e) const { return 3 * corner_index(e.from) + static_cast<std::size_t>(e.axis); }
+    formulas::Edge ends(const GridEdge& e) const {
+        glm::ivec3 end = e.from;
+        ++end[e.axis];
+        return {corner(e.from), corner(end)};
+    }
+    bool changes_sign(const GridEdge& e) const;
+    template <class F>
+    void each_crossed_edge(const glm::ivec3& cell, F&& f) const;
+    double crossing(const GridEdge& e);
+    void find_crossings(const std::vector<GridEdge>& edges);
+    std::vector<GridEdge> crossed_edges() const;
     void add_vertices();
     void settle(std::size_t vertex, const glm::dvec3& start, formulas::Sample& sample);
     void anchor(std::size_t vertex, formulas::Sample& sample);
@@ -93,7 +119,7 @@ private:
     std::vector<std::uint32_t> vertices_;  // of the cell whose lowest corner it is
     std::vector<glm::dvec3> positions_, gradients_;
     std::vector<double> sizes_;  // of f around each vertex
-    std::vector<bool> lost_;     // no zero was found there after all
+    std::vector<char> lost_;     // 1: no zero was found there after all
     std::vector<glm::uvec3> triangles_;
 };
 
@@ -107,46 +133,67 @@ void SurfaceNet::evaluate() {
     formulas::values(surface_.program(), points, values_);
 }
 
-// Where on the edge from a corner along an axis, whose ends have different signs, f is 0: from 0 to 1. NaN where it is not.
-double SurfaceNet::crossing(const glm::ivec3& c, glm::length_t axis) {
-    const auto [known, is_new] =
-        crossings_.try_emplace(3 * corner_index(c) + static_cast<std::size_t>(axis), std::nan(""));
-    if (!is_new) return known->second;
-    go_on_unless(stop_);
-    glm::ivec3 end = c;
-    ++end[axis];
-    return known->second = formulas::zero_between(surface_.program(), corner(c), corner(end)).value_or(std::nan(""));
+bool SurfaceNet::changes_sign(const GridEdge& e) const {
+    glm::ivec3 end = e.from;
+    if (++end[e.axis] > counts_[e.axis]) return false;
+    const double here = values_[corner_index(e.from)], there = values_[corner_index(end)];
+    return !std::isnan(here) && !std::isnan(there) && (here < 0.0) != (there < 0.0);
 }
 
-// All that add_vertices() will ask for, side by side.
-void SurfaceNet::find_crossings() {
+// Where on an edge whose ends have different signs f is 0: from 0 to 1. NaN where it is not.
+double SurfaceNet::crossing(const GridEdge& e) {
+    const auto [known, is_new] = crossings_.try_emplace(key(e), std::nan(""));
+    if (!is_new) return known->second;
+    go_on_unless(stop_);
+    const auto [a, b] = ends(e);
+    return known->second = formulas::zero_between(surface_.program(), a, b).value_or(std::nan(""));
+}
+
+// All that will be asked for, side by side.
+void SurfaceNet::find_crossings(const std::vector<GridEdge>& wanted) {
     constexpr std::size_t kAtOnce = 512;
     std::vector<formulas::Edge> edges;
     std::vector<std::size_t> keys;
-    const auto find = [&] {
-        go_on_unless(stop_);
-        const auto zeros = formulas::zeros_between(surface_.program(), edges);
-        for (std::size_t k = 0; k < keys.size(); ++k) crossings_[keys[k]] = zeros[k].value_or(std::nan(""));
-        edges.clear();
-        keys.clear();
-    };
+    for (const GridEdge& e : wanted) {
+        if (!crossings_.try_emplace(key(e), std::nan("")).second) continue;
+        edges.push_back(ends(e));
+        keys.push_back(key(e));
+    }
+    std::vector<std::optional<double>> zeros(edges.size());
+    in_threads(edges.size(), [&](std::size_t begin, std::size_t end) {
+        for (; begin < end; begin += kAtOnce) {
+            go_on_unless(stop_);
+            const std::size_t count = std::min(kAtOnce, end - begin);
+            std::ranges::copy(formulas::zeros_between(surface_.program(), std::span(edges).subspan(begin, count)),
+                              &zeros[begin]);
+        }
+    });
+    for (std::size_t k = 0; k < keys.size(); ++k) crossings_[keys[k]] = zeros[k].value_or(std::nan(""));
+}
+
+std::vector<SurfaceNet::GridEdge> SurfaceNet::crossed_edges() const {
+    std::vector<GridEdge> edges;
     for (glm::length_t axis = 0; axis < 3; ++axis)
         for (glm::ivec3 c(0); c.z <= counts_.z; ++c.z)
             for (c.y = 0; c.y <= counts_.y; ++c.y)
-                for (c.x = 0; c.x <= counts_.x; ++c.x) {
-                    glm::ivec3 end = c;
-                    if (++end[axis] > counts_[axis]) continue;
-                    const double here = values_[corner_index(c)], there = values_[corner_index(end)];
-                    if (std::isnan(here) || std::isnan(there) || (here < 0.0) == (there < 0.0)) continue;
-                    edges.push_back({corner(c), corner(end)});
-                    keys.push_back(3 * corner_index(c) + static_cast<std::size_t>(axis));
-                    if (edges.size() == kAtOnce) find();
-                }
-    find();
+                for (c.x = 0; c.x <= counts_.x; ++c.x)
+                    if (const GridEdge edge{c, axis}; changes_sign(edge)) edges.push_back(edge);
+    return edges;
+}
+
+// Until f says that it is enough.
+template <class F>
+void SurfaceNet::each_crossed_edge(const glm::ivec3& cell, F&& f) const {
+    for (int k = 0; k < 8; ++k)
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
+            if (k >> axis & 1) continue;
+            const GridEdge edge{cell + glm::ivec3(k & 1, (k >> 1) & 1, k >> 2), axis};
+            if (changes_sign(edge) && f(edge)) return;
+        }
 }
 
 void SurfaceNet::add_vertices() {
-    if (careful_) find_crossings();
+    if (careful_) find_crossings(crossed_edges());
     vertices_.assign(values_.size(), kNoVertex);
     each_cell([&](const glm::ivec3& c) {
         std::array<double, 8> f{};
@@ -168,7 +215,7 @@ void SurfaceNet::add_vertices() {
                 if (l == k || (f[k] < 0.0) == (f[l] < 0.0)) continue;
                 const auto along = static_cast<glm::length_t>(axis);
                 glm::dvec3 at(k & 1, (k >> 1) & 1, k >> 2);
-                at[along] = careful_ ? crossing(c + glm::ivec3(at), along) : f[k] / (f[k] - f[l]);
+                at[along] = careful_ ? crossing({c + glm::ivec3(at), along}) : f[k] / (f[k] - f[l]);
                 if (std::isnan(at[along])) continue;
                 sum += at;
                 ++crossings;
@@ -186,19 +233,31 @@ void SurfaceNet::descend() {
     // What would leave its cell is near a double point or a pole.
     std::vector<formulas::Sample> samples =
         newton_steps(surface_.program(), positions_, kNewtonSteps, 1.2 * largest_step_);
+    if (!surface_.degree())
+        in_threads(positions_.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t v = begin; v < end; ++v) settle(v, start[v], samples[v]);
+        });
     lost_.resize(positions_.size());
-    gradients_.resize(positions_.size());
+    std::vector<std::size_t> astray;
+    std::vector<GridEdge> edges;
+    const double near = (careful_ ? 1e-6 : kSettled) * largest_step_;
     for (std::size_t v = 0; v < positions_.size(); ++v) {
-        go_on_unless(stop_);
-        if (!surface_.degree()) settle(v, start[v], samples[v]);
-        const double off = std::abs(samples[v].value), near = (careful_ ? 1e-6 : kSettled) * largest_step_;
-        if (!(off <= 0.3 * sizes_[v] && off <= near * glm::length(samples[v].gradient))) anchor(v, samples[v]);
-        gradients_[v] = samples[v].gradient;
+        const double off = std::abs(samples[v].value);
+        if (off <= 0.3 * sizes_[v] && off <= near * glm::length(samples[v].gradient)) continue;
+        astray.push_back(v);
+        each_crossed_edge(cells_[v], [&](const GridEdge& edge) {
+            edges.push_back(edge);
+            return true;
+        });
     }
+    find_crossings(edges);
+    for (const std::size_t v : astray) anchor(v, samples[v]);
+    for (const formulas::Sample& sample : samples) gradients_.push_back(sample.gradient);
 }
 
 // More of the steps for who needs them, as where f is an exponential that falls steeply.
 void SurfaceNet::settle(std::size_t vertex, const glm::dvec3& start, formulas::Sample& sample) {
+    go_on_unless(stop_);
     for (int i = 0; i < kMoreSteps; ++i) {
         const glm::dvec3& g = sample.gradient;
         if (!(std::abs(sample.value) > 1e-9 * largest_step_ * glm::length(g))) return;
@@ -211,21 +270,16 @@ void SurfaceNet::settle(std::size_t vertex, const glm::dvec3& start, formulas::S
 
 // Where Newton's steps go astray, as where f is steep on one side and flat on the other: to a zero on one of the cell's edges.
 void SurfaceNet::anchor(std::size_t vertex, formulas::Sample& sample) {
-    const glm::ivec3& cell = cells_[vertex];
-    for (int k = 0; k < 8; ++k)
-        for (glm::length_t axis = 0; axis < 3; ++axis) {
-            if (k >> axis & 1) continue;
-            const glm::ivec3 from = cell + glm::ivec3(k & 1, (k >> 1) & 1, k >> 2);
-            glm::ivec3 end = from;
-            ++end[axis];
-            if ((values_[corner_index(from)] < 0.0) == (values_[corner_index(end)] < 0.0)) continue;
-            const double at = crossing(from, axis);
-            if (std::isnan(at)) continue;
-            positions_[vertex] = glm::mix(corner(from), corner(end), at);
-            sample = surface_.at({positions_[vertex]});
-            return;
-        }
-    lost_[vertex] = true;
+    lost_[vertex] = 1;
+    each_crossed_edge(cells_[vertex], [&](const GridEdge& edge) {
+        const double at = crossing(edge);
+        if (std::isnan(at)) return false;
+        const auto [a, b] = ends(edge);
+        positions_[vertex] = glm::mix(a, b, at);
+        sample = surface_.at({positions_[vertex]});
+        lost_[vertex] = 0;
+        return true;
+    });
 }
 
 void SurfaceNet::add_quad(const std::array<std::uint32_t, 4>& q) {
@@ -258,7 +312,7 @@ void SurfaceNet::add_quads() {
                         continue;
                     const double here = values_[corner_index(c)], there = values_[corner_index(c + along)];
                     if ((here < 0.0) == (there < 0.0) || std::isnan(here) || std::isnan(there)) continue;
-                    if (careful_ && std::isnan(crossing(c, axis))) continue;
+                    if (careful_ && std::isnan(crossing({c, axis}))) continue;
                     const auto cell = [&](const glm::ivec3& at) { return vertices_[corner_index(at)]; };
                     std::array quad{cell(c - u - v), cell(c - v), cell(c), cell(c - u)};
                     if (there < 0.0) std::swap(quad[1], quad[3]);  // counterclockwise as seen from where f > 0
@@ -284,14 +338,18 @@ void SurfaceNet::trim() {
     std::vector<bool> outside(positions_.size(), false);
     for (const glm::uvec3& t : triangles_)
         for (int k = 0; k < 3; ++k) outside[t[k]] = !inside[t[k]];
-    for (std::size_t v = 0; v < positions_.size(); ++v)
-        if (outside[v]) {
+    std::vector<std::uint32_t> moved;
+    for (std::uint32_t v = 0; v < positions_.size(); ++v)
+        if (outside[v]) moved.push_back(v);
+    in_threads(moved.size(), [&](std::size_t begin, std::size_t end) {
+        for (const std::uint32_t v : std::span(moved).subspan(begin, end - begin)) {
             positions_[v] = onto_ball(surface_.program(), surface_.source().bound, positions_[v], kNewtonSteps,
                                       4.0 * largest_step_);
             const formulas::Sample s = surface_.at({positions_[v]});
             gradients_[v] = s.gradient;
-            lost_[v] = careful_ && !(std::abs(s.value) <= 1e-6 * largest_step_ * glm::length(s.gradient));
+            lost_[v] = careful_ && !(std::abs(s.value) <= 1e-6 * largest_step_ * glm::length(s.gradient)) ? 1 : 0;
         }
+    });
     std::erase_if(triangles_, [&](const glm::uvec3& t) { return lost_[t.x] || lost_[t.y] || lost_[t.z]; });
 }
 

@@ -21,10 +21,17 @@ namespace {
 constexpr std::size_t kTrianglesWorthAThread = 50'000;
 constexpr int kFormulaCells = 40;  // a side: some thousand vertices for arrows to stand on
 
-// As near to f = 0 as rounding lets it come, but for vertices beside a double point.
-bool lies_on(const ImplicitSurface& surface, Point<Object> p) {
-    const formulas::Sample s = surface.at(p);
-    return std::abs(s.value) <= 1e-9 * glm::length(s.gradient) * surface.source().bound;
+// Leaves those that are as near to f = 0 as rounding lets them come: all but vertices beside a double point.
+void keep_on_surface(const ImplicitSurface& surface, std::vector<Site>& sites) {
+    std::vector<glm::dvec3> points;
+    for (const Site& site : sites) points.push_back(site.point.xyz);
+    std::vector<formulas::Sample> samples(points.size());
+    formulas::samples(surface.program(), points, samples);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < sites.size(); ++i)
+        if (std::abs(samples[i].value) <= 1e-9 * glm::length(samples[i].gradient) * surface.source().bound)
+            sites[kept++] = sites[i];
+    sites.resize(kept);
 }
 
 }  // namespace
@@ -67,7 +74,7 @@ std::shared_ptr<const Surface> SurfaceCache::get(const Scene& scene, const Stop&
     Beside<double> area = beside([mesh = mesh_] { return surface_area(*mesh); }, begin);
     for (const glm::dvec3& p : mesh_->positions) surface->extent = glm::max(surface->extent, glm::abs(p));
     std::vector<Site> sites = faces ? face_sites(*mesh_) : vertex_sites(*mesh_);
-    if (implicit_) std::erase_if(sites, [&](const Site& s) { return !lies_on(*implicit_, s.point); });
+    if (implicit_) keep_on_surface(*implicit_, sites);
     surface->area = area.get();
     surface->arrows = thinned(std::move(sites), static_cast<std::size_t>(scene.arrows.every),
                               static_cast<std::size_t>(scene.arrows.limit), surface->area);
