@@ -16,8 +16,8 @@ constexpr const char* kFolder = "MESA_SHADER_CACHE_DIR";
 std::filesystem::path usual_folder() {
     for (const char* name : {kFolder, "XDG_CACHE_HOME"})
         if (const std::string given = variable(name); !given.empty()) return given;
-    const std::string home = variable("HOME");
-    return home.empty() ? std::filesystem::path() : std::filesystem::path(home) / ".cache";
+    const std::filesystem::path home = home_folder();
+    return home.empty() ? home : home / ".cache";
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "core/base/posix_arguments.h"
 
 #include <signal.h>  // kill
+#include <pwd.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -58,7 +59,14 @@ void set_variable(const char* name, const std::optional<std::string>& value) {
         ::unsetenv(name);
 }
 
-std::filesystem::path home_folder() { return variable("HOME"); }
+std::filesystem::path home_folder() {
+    if (std::string home = variable("HOME"); !home.empty()) return home;
+    // As for Mesa: services often have none in their environment.
+    std::array<char, 4096> text{};
+    passwd entry{}, *found = nullptr;
+    ::getpwuid_r(::getuid(), &entry, text.data(), text.size(), &found);
+    return found && found->pw_dir ? found->pw_dir : "";
+}
 
 std::FILE* open_file(const std::filesystem::path& file, const char* mode) { return std::fopen(file.c_str(), mode); }
 std::FILE* create_file(const std::filesystem::path& file) { return std::fopen(file.c_str(), "wbx"); }
