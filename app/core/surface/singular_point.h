@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/mesh/mesh.h"
 #include "core/scene/scene.h"
 #include "core/surface/implicit_surface.h"
 
@@ -14,10 +15,6 @@ struct SingularPoint {
     /// Of the ball or cube: how far away the neighbours are that lend their normals.
     static constexpr double kLenders = 0.04;
 
-    struct Neighbour {
-        Point<Object> point;
-        Normal<Object> normal;  ///< of unit length
-    };
     Point<Object> at;
     bool undefined = false;  ///< ∇f does not exist there; else it is zero
     /// The normals on a sphere so small that they are as good as limits, curve by curve in order. Empty where no sheet
@@ -25,7 +22,7 @@ struct SingularPoint {
     std::vector<std::vector<Normal<Object>>> fan;
     /// The largest angle between the normals of any two lenders: how much depends on the choice.
     double spread_degrees = 0.0;
-    std::optional<Neighbour> lender;  ///< the one that the scene chooses
+    std::optional<Site> lender;  ///< the one that the scene chooses
 };
 
 /// Whether ∇f is zero or does not exist there: zero against what it is a little further away.
@@ -35,8 +32,7 @@ bool is_singular(const ImplicitSurface& surface, Point<Object> p);
 std::optional<Point<Object>> singular_near(const ImplicitSurface& surface, Point<Object> p, double reach);
 
 /// The neighbour in the direction nearest to what the scene borrows from.
-std::optional<SingularPoint::Neighbour> lender(const ImplicitSurface& surface, Point<Object> p,
-                                               const Direction<Object>& borrow);
+std::optional<Site> lender(const ImplicitSurface& surface, Point<Object> p, const Direction<Object>& borrow);
 /// All about a point that is singular.
 SingularPoint singular_point(const ImplicitSurface& surface, Point<Object> p,
                              const std::optional<Direction<Object>>& borrow);
