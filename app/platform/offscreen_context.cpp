@@ -3,11 +3,10 @@
 #include "core/base/error.h"
 #include "core/base/system.h"
 #include "core/base/text.h"
+#include "platform/mesa_settings.h"
 #include "platform/offscreen_ways.h"
-#include "platform/shader_cache.h"
 #include "platform/shared_library.h"
 
-#include <cstdlib>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,23 +15,6 @@
 namespace normalscope {
 
 namespace {
-
-/// A variable of the environment, set while one lives unless the user has set it: Mesa can be told some things in no other
-/// way, and reads them once, when a process makes its first context. Nothing that is started later shall find them.
-class SetForNow {
-public:
-    SetForNow(const char* name, const std::string& value) : name_(std::getenv(name) ? nullptr : name) {
-        if (name_) set_variable(name_, value);
-    }
-    ~SetForNow() {
-        if (name_) set_variable(name_, std::nullopt);
-    }
-    SetForNow(const SetForNow&) = delete;
-    SetForNow& operator=(const SetForNow&) = delete;
-
-private:
-    const char* name_;
-};
 
 // What else can be asked for: "--context egl".
 std::string others(ContextChoice choice) {
@@ -65,7 +47,7 @@ std::unique_ptr<Context> make_context(ContextChoice choice) {
 
 std::unique_ptr<Context> make_offscreen_context(const ContextOptions& options) {
     const SetForNow silence("EGL_LOG_LEVEL", "fatal");  // what is wrong is said in one line, once all has been tried
-    const ShaderCacheByWidth cache;
+    const ShadersByWidth kept;
     std::optional<SetForNow> shaders, threads;
     if (options.quick_shaders) shaders.emplace("GALLIVM_PERF", "nopt");
     if (options.threads > 0) threads.emplace("LP_NUM_THREADS", std::to_string(options.threads));

@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "platform/gl_debug.h"
 #include "platform/glfw_start.h"
-#include "platform/shader_cache.h"
+#include "platform/mesa_settings.h"
 
 #include <glad/gl.h>
 
@@ -112,7 +112,7 @@ Window::Window(const char* title, const WindowPlace& place) {
     glfwWindowHintString(GLFW_WAYLAND_APP_ID, kDesktopName);
 #endif
     const glm::ivec2 size = fitting_size(place);
-    const ShaderCacheByWidth cache;
+    const ShadersByWidth kept;
     window_ = glfwCreateWindow(size.x, size.y, title, nullptr, nullptr);
     if (!window_) {
         const std::string reason = glfw_error();

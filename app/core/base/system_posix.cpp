@@ -2,8 +2,8 @@
 
 #include "core/base/posix_arguments.h"
 
-#include <signal.h>  // kill
 #include <pwd.h>
+#include <signal.h>  // kill
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>

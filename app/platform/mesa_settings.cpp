@@ -1,12 +1,24 @@
-#include "platform/shader_cache.h"
+#include "platform/mesa_settings.h"
 
 #include "core/base/system.h"
 
+#include <cstdlib>
 #include <filesystem>
 #include <system_error>
-#include <utility>
 
 namespace normalscope {
+
+SetForNow::SetForNow(const char* name, const std::string& value, Unless unless) {
+    const char* const given = std::getenv(name);
+    if (given && unless == Unless::UsersOwn) return;
+    if (given) before_ = given;
+    name_ = name;
+    set_variable(name, value);
+}
+
+SetForNow::~SetForNow() {
+    if (name_) set_variable(name_, before_);
+}
 
 namespace {
 
@@ -22,7 +34,7 @@ std::filesystem::path usual_folder() {
 
 }  // namespace
 
-ShaderCacheByWidth::ShaderCacheByWidth() {
+ShadersByWidth::ShadersByWidth() {
     const std::string width = variable("LP_NATIVE_VECTOR_WIDTH");
     const bool is_number = !width.empty() && width.find_first_not_of("0123456789") == width.npos;
     const std::filesystem::path usual = usual_folder();
@@ -30,14 +42,7 @@ ShaderCacheByWidth::ShaderCacheByWidth() {
     const std::filesystem::path folder = usual / "normalscope" / ("shaders-" + width);
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (error) return;
-    if (std::string given = variable(kFolder); !given.empty()) given_ = std::move(given);
-    set_variable(kFolder, folder.string());
-    set_ = true;
-}
-
-ShaderCacheByWidth::~ShaderCacheByWidth() {
-    if (set_) set_variable(kFolder, given_);
+    if (!error) folder_.emplace(kFolder, folder.string(), SetForNow::Unless::Never);
 }
 
 }  // namespace normalscope
