@@ -46,6 +46,7 @@ std::unique_ptr<Context> make_context(ContextChoice choice) {
 }  // namespace
 
 std::unique_ptr<Context> make_offscreen_context(const ContextOptions& options) {
+    prefer_large_pages_from_now_on();
     const SetForNow silence("EGL_LOG_LEVEL", "fatal");  // what is wrong is said in one line, once all has been tried
     const ShadersByWidth kept;
     std::optional<SetForNow> shaders, threads;

@@ -61,6 +61,9 @@ std::string shell_word(const std::string& text);
 
 /// A wish, which may go unheard: for many megabytes, to get one small page after the other takes longer than to read a file.
 void prefer_large_pages(void* begin, std::size_t bytes);
+/// The same for what is allocated from now on, until that is more than a picture and its samples take. What is freed stays with
+/// the process, so this is for one that draws and ends.
+void prefer_large_pages_from_now_on();
 
 /// What may be missing, and how one comes by it: "install …".
 enum class Missing { Osmesa, Egl, OpenGl, Ffmpeg };

@@ -9,6 +9,9 @@
 #include <unistd.h>
 
 #include <locale.h>  // newlocale
+#if __has_include(<malloc.h>)
+#include <malloc.h>  // glibc has mallopt there
+#endif
 #if __has_include(<xlocale.h>)
 #include <xlocale.h>  // a Mac has it there
 #endif
@@ -136,6 +139,21 @@ void prefer_large_pages([[maybe_unused]] void* begin, [[maybe_unused]] std::size
     constexpr std::size_t kLarge = std::size_t{2} << 20;
     std::size_t space = bytes;
     if (std::align(kLarge, kLarge, begin, space)) ::madvise(begin, space, MADV_HUGEPAGE);
+#endif
+}
+
+void prefer_large_pages_from_now_on() {
+#ifdef __GLIBC__
+    // Up to the first threshold memory comes from the heap, which up to the second is kept as it is: what it is told once holds.
+    constexpr int kMostOfOne = 32 << 20;  // that can be set
+    ::mallopt(M_MMAP_THRESHOLD, kMostOfOne);
+    ::mallopt(M_TRIM_THRESHOLD, 16 * kMostOfOne);
+    constexpr std::size_t kEach = kMostOfOne - (1 << 20);
+    std::vector<std::unique_ptr<void, decltype(&std::free)>> room;
+    for (int i = 0; i < 4; ++i) {
+        room.emplace_back(std::malloc(kEach), std::free);
+        if (room.back()) prefer_large_pages(room.back().get(), kEach);
+    }
 #endif
 }
 

@@ -156,5 +156,6 @@ std::string shell_word(const std::string& text) {
 }
 
 void prefer_large_pages(void*, std::size_t) {}
+void prefer_large_pages_from_now_on() {}
 
 }  // namespace normalscope
