@@ -1,13 +1,14 @@
 // Surface nets (Gibson, "Constrained elastic surface nets", 1998): a vertex in each cell of a grid whose corners differ in
 // sign, a quad across each edge whose ends do. Every vertex then goes down the gradient onto the surface itself.
 
-#include "core/base/beside.h"
 #include "core/mesh/closed_mesh.h"
+#include "core/program/points_in_parts.h"
 #include "core/program/zero_crossing.h"
 #include "core/surface/box_cut.h"
 #include "core/surface/implicit_surface.h"
 #include "core/surface/newton_steps.h"
 #include "core/surface/ray_mesh.h"
+#include "core/surface/sign_grid.h"
 #include "core/surface/stopped.h"
 
 #include <glm/common.hpp>
@@ -18,9 +19,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-#include <optional>
 #include <span>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -40,11 +39,9 @@ public:
         : surface_(surface),
           stop_(stop),
           careful_(formulas::may_jump(surface.program())),
-          low_(box.low),
           step_(step),
-          largest_step_(std::max({step.x, step.y, step.z})) {
-        counts_ = glm::max(glm::ivec3(glm::ceil((box.high - box.low) / step_ - 1e-9)), 1);
-        evaluate();
+          largest_step_(std::max({step.x, step.y, step.z})),
+          grid_(surface, box, step, stop) {
         add_vertices();
         descend();
         add_quads();
@@ -52,53 +49,17 @@ public:
     }
 
     Mesh mesh();
-    /// Both are seen: 0 alone says nothing so near to where f may only touch it.
-    bool has_both_signs() const {
-        return std::ranges::any_of(values_, [](double f) { return f < 0.0; }) &&
-               std::ranges::any_of(values_, [](double f) { return f > 0.0; });
-    }
+    bool has_both_signs() const { return grid_.has_both_signs(); }
 
 private:
-    glm::dvec3 corner(const glm::ivec3& c) const { return low_ + step_ * glm::dvec3(c); }
-    std::size_t corner_index(const glm::ivec3& c) const {
-        return (static_cast<std::size_t>(c.z) * static_cast<std::size_t>(counts_.y + 1) +
-                static_cast<std::size_t>(c.y)) *
-                   static_cast<std::size_t>(counts_.x + 1) +
-               static_cast<std::size_t>(c.x);
-    }
-    template <class F>
-    void each_cell(F&& f) const {
-        for (glm::ivec3 c(0); c.z < counts_.z; ++c.z)
-            for (c.y = 0; c.y < counts_.y; ++c.y)
-                for (c.x = 0; c.x < counts_.x; ++c.x) f(c);
-    }
-
-    /// work(begin, end) for all of so many, for each of which f is computed several times.
+    using Edge = SignGrid::Edge;
+    /// work(begin, end) for all of so many vertices, for each of which f is computed several times.
     template <class Work>
-    void in_threads(std::size_t count, const Work& work) const {
-        constexpr std::size_t kStepsWorthAThread = 50'000;
-        in_parts(threads_for(count * surface_.program().size(), kStepsWorthAThread), count,
-                 [&](std::size_t, std::size_t begin, std::size_t end) { work(begin, end); });
+    void in_threads(std::size_t vertices, const Work& work) const {
+        constexpr std::size_t kTimes = 10;
+        formulas::points_in_parts(surface_.program(), vertices, 1, work, kTimes);
     }
 
-    void evaluate();
-    /// From a corner of the grid along an axis.
-    struct GridEdge {
-        glm::ivec3 from;
-        glm::length_t axis;
-    };
-    std::size_t key(const GridEdge& e) const { return 3 * corner_index(e.from) + static_cast<std::size_t>(e.axis); }
-    formulas::Edge ends(const GridEdge& e) const {
-        glm::ivec3 end = e.from;
-        ++end[e.axis];
-        return {corner(e.from), corner(end)};
-    }
-    bool changes_sign(const GridEdge& e) const;
-    template <class F>
-    void each_crossed_edge(const glm::ivec3& cell, F&& f) const;
-    double crossing(const GridEdge& e);
-    void find_crossings(const std::vector<GridEdge>& edges);
-    std::vector<GridEdge> crossed_edges() const;
     void add_vertices();
     void settle(std::size_t vertex, const glm::dvec3& start, formulas::Sample& sample);
     void anchor(std::size_t vertex, formulas::Sample& sample);
@@ -110,11 +71,9 @@ private:
     const ImplicitSurface& surface_;
     const Stop& stop_;
     bool careful_;  // a change of sign may be a pole or a jump
-    glm::dvec3 low_, step_;
+    glm::dvec3 step_;
     double largest_step_;
-    glm::ivec3 counts_{0};
-    std::vector<double> values_;  // at the corners
-    std::unordered_map<std::size_t, double> crossings_;
+    SignGrid grid_;
     std::vector<glm::ivec3> cells_;        // of the vertices
     std::vector<std::uint32_t> vertices_;  // of the cell whose lowest corner it is
     std::vector<glm::dvec3> positions_, gradients_;
@@ -123,84 +82,15 @@ private:
     std::vector<glm::uvec3> triangles_;
 };
 
-void SurfaceNet::evaluate() {
-    std::vector<glm::dvec3> points;
-    points.reserve(corner_index(counts_) + 1);
-    for (glm::ivec3 c(0); c.z <= counts_.z; ++c.z)
-        for (c.y = 0; c.y <= counts_.y; ++c.y)
-            for (c.x = 0; c.x <= counts_.x; ++c.x) points.push_back(corner(c));
-    values_.resize(points.size());
-    formulas::values(surface_.program(), points, values_);
-}
-
-bool SurfaceNet::changes_sign(const GridEdge& e) const {
-    glm::ivec3 end = e.from;
-    if (++end[e.axis] > counts_[e.axis]) return false;
-    const double here = values_[corner_index(e.from)], there = values_[corner_index(end)];
-    return !std::isnan(here) && !std::isnan(there) && (here < 0.0) != (there < 0.0);
-}
-
-// Where on an edge whose ends have different signs f is 0: from 0 to 1. NaN where it is not.
-double SurfaceNet::crossing(const GridEdge& e) {
-    const auto [known, is_new] = crossings_.try_emplace(key(e), std::nan(""));
-    if (!is_new) return known->second;
-    go_on_unless(stop_);
-    const auto [a, b] = ends(e);
-    return known->second = formulas::zero_between(surface_.program(), a, b).value_or(std::nan(""));
-}
-
-// All that will be asked for, side by side.
-void SurfaceNet::find_crossings(const std::vector<GridEdge>& wanted) {
-    constexpr std::size_t kAtOnce = 512;
-    std::vector<formulas::Edge> edges;
-    std::vector<std::size_t> keys;
-    for (const GridEdge& e : wanted) {
-        if (!crossings_.try_emplace(key(e), std::nan("")).second) continue;
-        edges.push_back(ends(e));
-        keys.push_back(key(e));
-    }
-    std::vector<std::optional<double>> zeros(edges.size());
-    in_threads(edges.size(), [&](std::size_t begin, std::size_t end) {
-        for (; begin < end; begin += kAtOnce) {
-            go_on_unless(stop_);
-            const std::size_t count = std::min(kAtOnce, end - begin);
-            std::ranges::copy(formulas::zeros_between(surface_.program(), std::span(edges).subspan(begin, count)),
-                              &zeros[begin]);
-        }
-    });
-    for (std::size_t k = 0; k < keys.size(); ++k) crossings_[keys[k]] = zeros[k].value_or(std::nan(""));
-}
-
-std::vector<SurfaceNet::GridEdge> SurfaceNet::crossed_edges() const {
-    std::vector<GridEdge> edges;
-    for (glm::length_t axis = 0; axis < 3; ++axis)
-        for (glm::ivec3 c(0); c.z <= counts_.z; ++c.z)
-            for (c.y = 0; c.y <= counts_.y; ++c.y)
-                for (c.x = 0; c.x <= counts_.x; ++c.x)
-                    if (const GridEdge edge{c, axis}; changes_sign(edge)) edges.push_back(edge);
-    return edges;
-}
-
-// Until f says that it is enough.
-template <class F>
-void SurfaceNet::each_crossed_edge(const glm::ivec3& cell, F&& f) const {
-    for (int k = 0; k < 8; ++k)
-        for (glm::length_t axis = 0; axis < 3; ++axis) {
-            if (k >> axis & 1) continue;
-            const GridEdge edge{cell + glm::ivec3(k & 1, (k >> 1) & 1, k >> 2), axis};
-            if (changes_sign(edge) && f(edge)) return;
-        }
-}
-
 void SurfaceNet::add_vertices() {
-    if (careful_) find_crossings(crossed_edges());
-    vertices_.assign(values_.size(), kNoVertex);
-    each_cell([&](const glm::ivec3& c) {
+    if (careful_) grid_.find_crossings(grid_.crossed_edges());
+    vertices_.assign(grid_.corners(), kNoVertex);
+    grid_.each_cell([&](const glm::ivec3& c) {
         std::array<double, 8> f{};
         int negative = 0;
         double size = 0.0;
         for (int k = 0; k < 8; ++k) {
-            f[static_cast<std::size_t>(k)] = values_[corner_index(c + glm::ivec3(k & 1, (k >> 1) & 1, k >> 2))];
+            f[static_cast<std::size_t>(k)] = grid_.value(c + glm::ivec3(k & 1, (k >> 1) & 1, k >> 2));
             if (std::isnan(f[static_cast<std::size_t>(k)])) return;
             negative += f[static_cast<std::size_t>(k)] < 0.0;
             size = std::max(size, std::abs(f[static_cast<std::size_t>(k)]));
@@ -215,14 +105,14 @@ void SurfaceNet::add_vertices() {
                 if (l == k || (f[k] < 0.0) == (f[l] < 0.0)) continue;
                 const auto along = static_cast<glm::length_t>(axis);
                 glm::dvec3 at(k & 1, (k >> 1) & 1, k >> 2);
-                at[along] = careful_ ? crossing({c + glm::ivec3(at), along}) : f[k] / (f[k] - f[l]);
+                at[along] = careful_ ? grid_.crossing({c + glm::ivec3(at), along}) : f[k] / (f[k] - f[l]);
                 if (std::isnan(at[along])) continue;
                 sum += at;
                 ++crossings;
             }
         if (crossings == 0) return;
-        vertices_[corner_index(c)] = static_cast<std::uint32_t>(positions_.size());
-        positions_.push_back(corner(c) + step_ / static_cast<double>(crossings) * sum);
+        vertices_[grid_.index(c)] = static_cast<std::uint32_t>(positions_.size());
+        positions_.push_back(grid_.corner(c) + step_ / static_cast<double>(crossings) * sum);
         cells_.push_back(c);
         sizes_.push_back(size);
     });
@@ -239,18 +129,18 @@ void SurfaceNet::descend() {
         });
     lost_.resize(positions_.size());
     std::vector<std::size_t> astray;
-    std::vector<GridEdge> edges;
+    std::vector<Edge> edges;
     const double near = (careful_ ? 1e-6 : kSettled) * largest_step_;
     for (std::size_t v = 0; v < positions_.size(); ++v) {
         const double off = std::abs(samples[v].value);
         if (off <= 0.3 * sizes_[v] && off <= near * glm::length(samples[v].gradient)) continue;
         astray.push_back(v);
-        each_crossed_edge(cells_[v], [&](const GridEdge& edge) {
+        grid_.each_crossed_edge(cells_[v], [&](const Edge& edge) {
             edges.push_back(edge);
             return true;
         });
     }
-    find_crossings(edges);
+    grid_.find_crossings(edges);
     for (const std::size_t v : astray) anchor(v, samples[v]);
     for (const formulas::Sample& sample : samples) gradients_.push_back(sample.gradient);
 }
@@ -271,10 +161,10 @@ void SurfaceNet::settle(std::size_t vertex, const glm::dvec3& start, formulas::S
 // Where Newton's steps go astray, as where f is steep on one side and flat on the other: to a zero on one of the cell's edges.
 void SurfaceNet::anchor(std::size_t vertex, formulas::Sample& sample) {
     lost_[vertex] = 1;
-    each_crossed_edge(cells_[vertex], [&](const GridEdge& edge) {
-        const double at = crossing(edge);
+    grid_.each_crossed_edge(cells_[vertex], [&](const Edge& edge) {
+        const double at = grid_.crossing(edge);
         if (std::isnan(at)) return false;
-        const auto [a, b] = ends(edge);
+        const auto [a, b] = grid_.ends(edge);
         positions_[vertex] = glm::mix(a, b, at);
         sample = surface_.at({positions_[vertex]});
         lost_[vertex] = 0;
@@ -298,22 +188,23 @@ void SurfaceNet::add_quad(const std::array<std::uint32_t, 4>& q) {
 }
 
 void SurfaceNet::add_quads() {
+    const glm::ivec3 counts = grid_.counts();
     for (glm::length_t axis = 0; axis < 3; ++axis) {
         glm::ivec3 along(0), u(0), v(0);
         along[axis] = 1;
         u[(axis + 1) % 3] = 1;
         v[(axis + 2) % 3] = 1;
-        for (glm::ivec3 c(0); c.z <= counts_.z; ++c.z)
-            for (c.y = 0; c.y <= counts_.y; ++c.y)
-                for (c.x = 0; c.x <= counts_.x; ++c.x) {
+        for (glm::ivec3 c(0); c.z <= counts.z; ++c.z)
+            for (c.y = 0; c.y <= counts.y; ++c.y)
+                for (c.x = 0; c.x <= counts.x; ++c.x) {
                     // The four cells around the edge from here along the axis.
-                    if (c[axis] == counts_[axis] || c[(axis + 1) % 3] == 0 || c[(axis + 2) % 3] == 0) continue;
-                    if (c[(axis + 1) % 3] == counts_[(axis + 1) % 3] || c[(axis + 2) % 3] == counts_[(axis + 2) % 3])
+                    if (c[axis] == counts[axis] || c[(axis + 1) % 3] == 0 || c[(axis + 2) % 3] == 0) continue;
+                    if (c[(axis + 1) % 3] == counts[(axis + 1) % 3] || c[(axis + 2) % 3] == counts[(axis + 2) % 3])
                         continue;
-                    const double here = values_[corner_index(c)], there = values_[corner_index(c + along)];
+                    const double here = grid_.value(c), there = grid_.value(c + along);
                     if ((here < 0.0) == (there < 0.0) || std::isnan(here) || std::isnan(there)) continue;
-                    if (careful_ && std::isnan(crossing({c, axis}))) continue;
-                    const auto cell = [&](const glm::ivec3& at) { return vertices_[corner_index(at)]; };
+                    if (careful_ && std::isnan(grid_.crossing({c, axis}))) continue;
+                    const auto cell = [&](const glm::ivec3& at) { return vertices_[grid_.index(at)]; };
                     std::array quad{cell(c - u - v), cell(c - v), cell(c), cell(c - u)};
                     if (there < 0.0) std::swap(quad[1], quad[3]);  // counterclockwise as seen from where f > 0
                     add_quad(quad);
