@@ -188,6 +188,19 @@ TEST_F(PanelTest, AFormulaThatTakesLongCanBeGivenUp) {
     EXPECT_EQ(message(), "");
 }
 
+// Escape leads the keyboard from what is within the panel to the panel, and from there away.
+TEST_F(PanelTest, AFormulaCanBeTypedAnewAfterEscape) {
+    start(light("implicit-sphere"));
+    for (const char* text : {"x+y+z", "x^2+foo(y"})
+        for (int escapes = 0; escapes < 4; ++escapes) {
+            type_formula(text);
+            key(ImGuiKey_Enter);
+            for (int i = 0; i < escapes; ++i) key(ImGuiKey_Escape);
+            type_formula("x+y");
+            EXPECT_EQ(formula(), "x+y") << text << ", " << escapes;
+        }
+}
+
 TEST_F(PanelTest, CtrlAndALetterLeaveAField) {
     start(light("implicit-sphere"));
     type_formula("x+y");

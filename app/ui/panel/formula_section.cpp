@@ -99,6 +99,7 @@ void field(Scene& scene, FormulaSurface& surface, FormulaMemory& memory, const P
     if (draft.follow(surface) && ImGui::GetActiveID() == id)
         ImGui::ClearActiveID();  // the field would write its own back
     if (memory.focus) {
+        ImGui::SetWindowFocus();  // else what follows is forgotten where Esc has led the keys out of this window
         ImGui::SetKeyboardFocusHere();
         ImGui::SetScrollHereY(0.15f);  // what is said of the formula stands below
     }
