@@ -16,7 +16,8 @@ protected:
     std::optional<std::size_t> answer() const { return lecture().player.answer(); }
     std::string score() const {
         const std::string title = lecture().exercises.state().title;
-        return title.substr(title.find("Score"), title.find(" of ") - title.find("Score"));
+        const std::size_t begin = title.find("   ");
+        return title.substr(begin, title.find(" of ") - begin);
     }
 };
 

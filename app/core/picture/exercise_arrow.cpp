@@ -1,11 +1,14 @@
 #include "core/picture/exercise_arrow.h"
 
+#include "core/frame/label_room.h"
 #include "core/frame/solids.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace normalscope {
@@ -24,19 +27,41 @@ glm::dvec2 place(const Pane& pane, Point<World> p) {
 
 }  // namespace
 
+namespace {
+
+// Beyond the tip, or, where another word stands there, beside it.
+void add_word(Pane& pane, const std::array<glm::dvec3, 2>& arrow, double tip_radius, double pixel_scale,
+              const WantedLabel& word) {
+    constexpr auto kRole = Label::Role::Axis;
+    constexpr double kGap = 4.0;
+    const auto& [base, tip] = arrow;
+    const glm::dvec3 from = pane.view.pixel({base}), to = pane.view.pixel({tip});
+    if (!(from.z > 0.0 && to.z > 0.0)) return;
+    LabelRoom room(pane, pixel_scale);
+    room.keep_clear({base, tip, tip_radius});
+    const glm::dvec2 way = glm::dvec2(to) - glm::dvec2(from), half = room.half_size(word.text, kRole);
+    const glm::dvec2 along = glm::length(way) > 1e-6 ? glm::normalize(way) : glm::dvec2(0.0, -1.0);
+    const double ball = tip_radius / pane.view.world_per_pixel({tip});
+    const glm::dvec2 place = glm::dvec2(to) + (ball + kGap * pixel_scale + glm::dot(glm::abs(along), half)) * along;
+    if (room.is_free(place, word.text, kRole))
+        room.put_at(place, word.text, kRole, word.color);
+    else
+        room.put_beside(word);
+}
+
+}  // namespace
+
 void ExerciseArrow::add_to(Frame& frame, double arrow_length, double pixel_scale, const std::string& label) const {
     if (!frame.probe || frame.panes.empty()) return;
     const double length = length_of(frame, arrow_length, pixel_scale);
     const glm::vec3 color = theme_colors(frame.theme).text;
     for (Pane& pane : frame.panes) {
         const double pixel = pixel_scale * pane.view.world_per_pixel(frame.probe->point);
-        const double radius = std::max(0.026 * length, 2.0 * pixel);
+        const double radius = std::max(0.026 * length, 2.0 * pixel), ball = 2.2 * radius;
         const glm::dvec3 base = frame.probe->point.xyz, tip = base + 1.1 * length * direction.xyz;
         add_arrow(pane.solids, base, tip - base, radius, glm::vec4(color, 1.0f));
-        add_ball(pane.solids, tip, 2.2 * radius, glm::vec4(color, 1.0f));
-        const glm::dvec3 at = pane.view.pixel({tip + 6.0 * radius * direction.xyz});
-        if (at.z > 0.0)
-            pane.labels.push_back({Label::Role::Axis, glm::vec2(pane.rect.origin) + glm::vec2(at), label, color});
+        add_ball(pane.solids, tip, ball, glm::vec4(color, 1.0f));
+        add_word(pane, {base, tip}, ball, pixel_scale, {tip, label, color});
     }
 }
 

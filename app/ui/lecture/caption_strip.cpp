@@ -169,7 +169,9 @@ StripRequests CaptionStrip::draw(const Look& look, const Speech& speech, const S
     draw_progress(look, state, low, size.x);
     const float left = draw_ways(look, state, size.x - look.px(10), requests);
     ImGui::SetCursorPos({look.px(kStripPad), look.px(4) + std::round((look.px(30) - ImGui::GetTextLineHeight()) / 2)});
-    dim_text(look, shortened(state.title, left - look.px(kStripPad + 16)));
+    const std::string title = shortened(state.title, left - look.px(kStripPad + 16));
+    dim_text(look, title);
+    if (title != state.title) tip(look, state.title.c_str());
 
     const StripRooms rooms = strip_rooms(look, speech, side, size);
     draw_board(look, speech, rooms, low);

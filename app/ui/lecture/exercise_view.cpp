@@ -141,9 +141,9 @@ std::vector<Speech> Exercises::speeches() const {
 
 StripState Exercises::state() const {
     StripState state;
-    state.title = "Where does this normal go?   Exercise " + std::to_string(exercise_.number + 1) + ", set " +
-                  std::to_string(exercise_.seed) + "   Score " + std::to_string(points_) + " of " +
-                  std::to_string(possible_);
+    // What matters first: in a narrow column its end is cut off.
+    state.title = "Exercise " + std::to_string(exercise_.number + 1) + "   " + std::to_string(points_) + " of " +
+                  std::to_string(possible_) + " points   set " + std::to_string(exercise_.seed);
     state.answer = answer_;
     state.closes = true;
     if (answered())
