@@ -197,8 +197,8 @@ private:
         for (const Name& name : names_) valid.emplace_back(name.text);
         const auto meant = nearest(in_small_letters(std::string(word)), valid);
         throw SyntaxError(column_, "unknown name \"" + std::string(word.substr(0, 40)) + (word.size() > 40 ? "…" : "") +
-                                       "\"" + (meant ? ", did you mean " + *meant + "?" : "") +
-                                       " Valid are: " + joined(valid, " "));
+                                       (meant ? "\", did you mean " + *meant + "? Known" : "\"; known") +
+                                       " are: " + joined(valid, " "));
     }
 
     std::string_view rest_;
