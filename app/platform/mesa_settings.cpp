@@ -22,7 +22,7 @@ SetForNow::~SetForNow() {
 
 namespace {
 
-constexpr const char* kFolder = "MESA_SHADER_CACHE_DIR";
+constexpr const char *kFolder = "MESA_SHADER_CACHE_DIR", *kDisable = "MESA_SHADER_CACHE_DISABLE";
 
 // Where Mesa would look; empty where that is not known.
 std::filesystem::path usual_folder() {
@@ -38,11 +38,15 @@ ShadersByWidth::ShadersByWidth() {
     const std::string width = variable("LP_NATIVE_VECTOR_WIDTH");
     const bool is_number = !width.empty() && width.find_first_not_of("0123456789") == width.npos;
     const std::filesystem::path usual = usual_folder();
-    if (!is_number || usual.empty() || !variable("MESA_SHADER_CACHE_DISABLE").empty()) return;
+    if (!is_number || !variable(kDisable).empty()) return;
     const std::filesystem::path folder = usual / "normalscope" / ("shaders-" + width);
     std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (!error) folder_.emplace(kFolder, folder.string(), SetForNow::Unless::Never);
+    if (!usual.empty()) std::filesystem::create_directories(folder, error);
+    // Mesa would look elsewhere for a folder that can be used, and there find code for any width.
+    if (usual.empty() || error)
+        setting_.emplace(kDisable, "true");
+    else
+        setting_.emplace(kFolder, folder.string(), SetForNow::Unless::Never);
 }
 
 }  // namespace normalscope

@@ -21,13 +21,13 @@ private:
 };
 
 /// Mesa keeps compiled shaders, but takes code for one LP_NATIVE_VECTOR_WIDTH for that of another (22.3): made for 256 bits it
-/// writes beyond the room that there is with 128. So where a width is set, its code has a folder of its own.
+/// writes beyond the room that there is with 128. So where a width is set, its code has a folder of its own, or is not kept.
 class ShadersByWidth {
 public:
     ShadersByWidth();
 
 private:
-    std::optional<SetForNow> folder_;
+    std::optional<SetForNow> setting_;
 };
 
 }  // namespace normalscope

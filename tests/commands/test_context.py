@@ -107,6 +107,7 @@ class ContextTest(CommandTest):
             # Where a library finds no memory it says so itself, in a line or two that nobody can stop, before we say it.
             ours = [line for line in done.stderr.splitlines() if line not in LIBRARIES_SAY]
             self.assertEqual(len(ours), 0 if done.returncode == 0 else 1, (megabytes, done.stderr))
+            self.assertNotIn(b"bad_", done.stderr)
 
     def test_both_draw_the_same(self):
         for arguments in ((), ("split", "--panel"), ("error-map", "--samples", "1")):

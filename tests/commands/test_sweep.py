@@ -19,6 +19,12 @@ class SweepTest(CommandTest):
     def names(self, folder=None):
         return sorted(p.name for p in (folder or self.folder).iterdir())
 
+    def test_a_pipe_is_refused(self):
+        os.mkfifo(self.folder / "m.obj")
+        for jobs in ("1", "2"):
+            self.assert_fails(3, "sweep", self.folder / "m.obj", "--vary", "camera.azimuth=0:9:2", "--jobs", jobs, "-o", self.folder / "f-%d.png", *SMALL,
+                              says="reads its mesh several times")
+
     def test_the_pictures_are_those_of_capture(self):
         self.sweep("split", "--vary", "stack.0.scale.1=1:3:3", "-o", self.folder / "f-%02d.png")
         self.assertEqual(self.names(), ["f-00.png", "f-01.png", "f-02.png"])

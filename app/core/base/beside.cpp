@@ -2,7 +2,10 @@
 
 #include <future>
 #include <mutex>
+#include <stdexcept>
+#include <system_error>
 #include <thread>
+#include <utility>
 
 namespace normalscope {
 
@@ -16,7 +19,7 @@ constexpr bool kHasThreads = true;
 
 std::launch policy(Begin begin) {
     if (!kHasThreads || begin == Begin::WhenAsked) return std::launch::deferred;
-    return std::launch::async | std::launch::deferred;  // the latter only where no more threads can be had
+    return std::launch::async;
 }
 
 }  // namespace
@@ -25,8 +28,13 @@ struct BackgroundTask::Thread {
     std::future<void> end;
 };
 
-BackgroundTask::BackgroundTask(std::function<void()> work, Begin begin)
-    : thread_(std::make_unique<Thread>(Thread{std::async(policy(begin), std::move(work))})) {}
+BackgroundTask::BackgroundTask(std::function<void()> work, Begin begin) try
+    : thread_(std::make_unique<Thread>(Thread{std::async(policy(begin), std::move(work))})) {
+} catch (const std::system_error&) {
+    // Mesa would wait for ever for threads that it cannot have.
+    throw std::runtime_error(
+        "no more threads can be begun; raise the limit on memory (ulimit -v) or processes (ulimit -u)");
+}
 BackgroundTask::~BackgroundTask() = default;  // as that of std::async's futures
 BackgroundTask::BackgroundTask(BackgroundTask&&) noexcept = default;
 BackgroundTask& BackgroundTask::operator=(BackgroundTask&&) noexcept = default;

@@ -46,8 +46,8 @@ enum class Begin {
 /// A task without a result, in a thread of its own; Beside gives it one.
 class BackgroundTask {
 public:
-    BackgroundTask(std::function<void()> work, Begin begin);
-    ~BackgroundTask();  ///< waits for its end
+    BackgroundTask(std::function<void()> work, Begin begin);  ///< throws std::runtime_error where no thread can be had
+    ~BackgroundTask();                                        ///< waits for its end
     BackgroundTask(BackgroundTask&&) noexcept;
     BackgroundTask& operator=(BackgroundTask&&) noexcept;
     bool ready(std::chrono::milliseconds patience) const;

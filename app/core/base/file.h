@@ -19,12 +19,12 @@ public:
     std::optional<std::size_t> size() const { return size_; }
     /// So many bytes more; fewer, or none, at the file's end.
     std::size_t read(std::span<char> to);
+    /// All that are left.
+    std::string read_all();
 
 private:
-    friend std::string read_file(const std::filesystem::path& file, std::size_t largest);
     friend std::string read_standard_input(std::size_t largest);
     FileReader(std::FILE* stream, std::string name, std::size_t largest);
-    std::string read_all();
 
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream_;
     std::string name_;

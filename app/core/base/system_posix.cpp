@@ -3,7 +3,7 @@
 #include "core/base/posix_arguments.h"
 
 #include <pwd.h>
-#include <signal.h>  // kill
+#include <signal.h>  // kill, signal
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -40,7 +40,10 @@ char** arguments = nullptr;  // those of main, which last as long as the program
 
 }  // namespace
 
-void begin_process(int&, char**& argv) { arguments = argv; }
+void begin_process(int&, char**& argv) {
+    arguments = argv;
+    ::signal(SIGXFSZ, SIG_IGN);  // a write that a limit forbids fails, as on a full disk
+}
 char** own_arguments() { return arguments; }
 int process_id() { return ::getpid(); }
 bool process_runs(int id) { return ::kill(id, 0) == 0 || errno == EPERM; }

@@ -1,5 +1,6 @@
 #include "core/mesh/mesh_file.h"
 
+#include "core/base/beside.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/mesh/polygons.h"
@@ -7,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
+#include <system_error>
 
 namespace normalscope {
 
@@ -23,6 +26,21 @@ Mesh load_at_once(const std::filesystem::path& file) {
 
 Mesh load_in_pieces(const std::filesystem::path& file) {
     return mesh_of(read_obj_file(file, kLargestFile), file.string());
+}
+
+// A pipe gives what it holds once: whoever opens it again would wait for ever.
+void refuse_to_read_again(const std::filesystem::path& file) {
+    static OneAtATime one_at_a_time;
+    static std::set<std::filesystem::path> read;
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored) || std::filesystem::is_regular_file(file, ignored) ||
+        std::filesystem::is_directory(file, ignored))
+        return;
+    one_at_a_time.run([&] {
+        if (!read.insert(file).second)
+            throw InputError(file.string(),
+                             "is a pipe or device, which has given its mesh already; write that to a file");
+    });
 }
 
 struct Format {
@@ -61,6 +79,7 @@ Mesh load_mesh(const std::filesystem::path& file) {
     if (!format)
         throw InputError(file.string() + ": its ending names no mesh format; a mesh ends in " +
                          mesh_endings_in_words(", ", " or "));
+    refuse_to_read_again(file);
     return format->load(file);
 }
 

@@ -135,9 +135,10 @@ Part read_part(const Source& source, const Range& range) {
     while (place < range.end && part.mistake.empty()) {
         const std::size_t room = std::min(buffer.size() - filled, range.end - place - filled);
         const std::size_t got = read(std::span(buffer).subspan(filled, room));
+        if (got < room) throw InputError(source.name, "became shorter while it was read; try again");
         filled += got;
         const std::string_view text(buffer.data(), filled);
-        const bool is_last = got < room || place + filled == range.end;
+        const bool is_last = place + filled == range.end;
         const std::size_t end = is_last ? filled : end_of_statements(text);
         const std::string_view statements = place > 0 ? text.substr(0, end) : without_mark(text.substr(0, end));
         read_statements(statements, place + end - statements.size(), part);
@@ -228,15 +229,16 @@ Polygons read_obj(std::string_view text, const std::string& file) {
 
 Polygons read_obj_file(const std::filesystem::path& file, std::size_t largest) {
     const std::string name = file.string();
-    const std::size_t size = FileReader(file, largest).size().value_or(0);
-    if (size > 0) {
+    FileReader whole(file, largest);
+    if (const std::size_t size = whole.size().value_or(0); size > 0) {
         const auto open = [&](std::size_t from) -> Reader {
             auto reader = std::make_shared<FileReader>(file, largest, from);
             return [reader](std::span<char> to) { return reader->read(to); };
         };
         return polygons_of({open, size, [file, largest] { return read_file(file, largest); }, name});
     }
-    const auto text = std::make_shared<const std::string>(read_file(file, largest));
+    // What has no size, such as a pipe, may not be opened twice.
+    const auto text = std::make_shared<const std::string>(whole.read_all());
     if (text->empty()) throw InputError(name + ": is empty; export the mesh anew");
     Polygons polygons = read_obj(*text, name);
     polygons.line_of_face = [text](std::size_t face) { return line_of_face(*text, face); };
