@@ -6,27 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
+#include <utility>
 #include <vector>
-
-// The compiler makes the blocks' loops thrice, for processors with AVX-512, with AVX2 and without, and the one that fits is taken as
-// the program starts.
-#if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__clang__)
-#define NORMALSCOPE_WIDE_LOOPS __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define NORMALSCOPE_WIDE_LOOPS
-#endif
 
 namespace normalscope {
 
 namespace {
 
-constexpr std::size_t kBlock = 64;
 constexpr std::size_t kNormalsWorthAThread = 100'000;
-
-using Lane = std::array<double, kBlock>;
-struct Lanes {
-    Lane x, y, z;
-};
+constexpr std::size_t kAhead = 128;  // normals that are fetched from memory meanwhile
 
 // A vector sent to `matrix` · v + `plus`.
 struct Affine {
@@ -53,70 +42,113 @@ struct Task {
     glm::dmat3 tangents;
 };
 
-// For each place in the block, the square of the largest cosine so far: as a fraction, since a division costs more than
-// all else that is done for a normal.
-struct Worst {
-    Lane above, below;
-};
-using WorstByRule = std::array<Worst, 3>;
+// The squares of the largest cosines; less than 0 where no normal has counted.
+using Squares = std::array<double, 3>;
 
-NORMALSCOPE_WIDE_LOOPS void look_at_block(const glm::dvec3* block, const Task& task, WorstByRule& worst) {
-    Lanes n, t1, t2;
-    Lane l1, l2;
-    for (std::size_t i = 0; i < kBlock; ++i) {
-        n.x[i] = block[i].x;
-        n.y[i] = block[i].y;
-        n.z[i] = block[i].z;
-    }
-    const glm::dmat3 m = task.tangents;
-    for (std::size_t i = 0; i < kBlock; ++i) {
-        // Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017.
-        const double x = n.x[i], y = n.y[i], z = n.z[i];
-        const double sign = std::copysign(1.0, z), a = -1.0 / (sign + z), b = x * y * a;
-        const double ux = 1.0 + sign * x * x * a, uy = sign * b, uz = -sign * x;
-        const double vx = b, vy = sign + y * y * a, vz = -y;
-        t1.x[i] = m[0][0] * ux + m[1][0] * uy + m[2][0] * uz;
-        t1.y[i] = m[0][1] * ux + m[1][1] * uy + m[2][1] * uz;
-        t1.z[i] = m[0][2] * ux + m[1][2] * uy + m[2][2] * uz;
-        t2.x[i] = m[0][0] * vx + m[1][0] * vy + m[2][0] * vz;
-        t2.y[i] = m[0][1] * vx + m[1][1] * vy + m[2][1] * vz;
-        t2.z[i] = m[0][2] * vx + m[1][2] * vy + m[2][2] * vz;
-        const double there = x * x + y * y + z * z;  // 1, or 0 where there is no normal
-        l1[i] = (t1.x[i] * t1.x[i] + t1.y[i] * t1.y[i] + t1.z[i] * t1.z[i]) * there;
-        l2[i] = (t2.x[i] * t2.x[i] + t2.y[i] * t2.y[i] + t2.z[i] * t2.z[i]) * there;
-    }
-    for (std::size_t k = 0; k < task.rules.size(); ++k) {
-        const auto [r, plus] = task.rules[k];  // which no write below could change
-        auto& [above, below] = worst[k];
-        for (std::size_t i = 0; i < kBlock; ++i) {
-            const double x = n.x[i], y = n.y[i], z = n.z[i];
-            const double nx = r[0][0] * x + r[1][0] * y + r[2][0] * z + plus.x;
-            const double ny = r[0][1] * x + r[1][1] * y + r[2][1] * z + plus.y;
-            const double nz = r[0][2] * x + r[1][2] * y + r[2][2] * z + plus.z;
-            const double d1 = nx * t1.x[i] + ny * t1.y[i] + nz * t1.z[i];
-            const double d2 = nx * t2.x[i] + ny * t2.y[i] + nz * t2.z[i];
-            // d² / (l · |N|²), the larger of the two; a tangent of no length has no part in it.
-            const double a = d1 * d1 * l2[i], b = d2 * d2 * l1[i];
-            const double square = (a > b ? a : b), whole = (nx * nx + ny * ny + nz * nz) * l1[i] * l2[i];
-            const bool worse = square * below[i] > above[i] * whole;
-            above[i] = worse ? square : above[i];
-            below[i] = worse ? whole : below[i];
-        }
-    }
+// Vectors of the processor, as GCC and Clang have them.
+using Lanes2 = double __attribute__((vector_size(16)));
+using Lanes4 = double __attribute__((vector_size(32)));
+using Lanes8 = double __attribute__((vector_size(64)));
+
+// x, y or z of as many normals as a vector has lanes.
+template <std::size_t kAxis, class Lane, std::size_t... kLane>
+[[gnu::always_inline]] inline void take(const glm::dvec3* normals, Lane& axis, std::index_sequence<kLane...>) {
+    constexpr std::size_t kWidth = sizeof...(kLane);
+    static_assert(sizeof(glm::dvec3) == 3 * sizeof(double));
+    const double* numbers = &normals->x;  // x y z x y z …
+    Lane first, second, third;
+    std::memcpy(&first, numbers, sizeof first);
+    std::memcpy(&second, numbers + kWidth, sizeof second);
+    std::memcpy(&third, numbers + 2 * kWidth, sizeof third);
+    const Lane of_two =
+        __builtin_shufflevector(first, second, (3 * kLane + kAxis < 2 * kWidth ? 3 * kLane + kAxis : 0)...);
+    axis = __builtin_shufflevector(of_two, third,
+                                   (3 * kLane + kAxis < 2 * kWidth ? kLane : 3 * kLane + kAxis - kWidth)...);
 }
 
-void look_at(std::span<const glm::dvec3> normals, const Task& task, WorstByRule& worst) {
-    std::array<glm::dvec3, kBlock> rest;
-    for (std::size_t first = 0; first < normals.size(); first += kBlock) {
-        const glm::dvec3* block = &normals[first];
-        if (const std::size_t count = normals.size() - first; count < kBlock) {
+// As many normals side by side as a vector has lanes, and nothing in memory but them.
+template <class Lane>
+[[gnu::always_inline]] inline Squares look_at(std::span<const glm::dvec3> normals, const Task& task) {
+    constexpr std::size_t kWidth = sizeof(Lane) / sizeof(double);
+    const Lane one = Lane{} + 1.0;
+    const glm::dmat3 m = task.tangents;
+    // As fractions, since a division costs more than all else that is done for a normal.
+    struct Fraction {
+        Lane above, below;
+    };
+    std::array<Fraction, 3> worst;
+    worst.fill({-one, one});
+    std::array<glm::dvec3, kWidth> rest;
+    for (std::size_t begin = 0; begin < normals.size(); begin += kWidth) {
+        const glm::dvec3* block = &normals[begin];
+        if (const std::size_t count = normals.size() - begin; count < kWidth) {
             rest.fill(normals.back());  // the last one again changes nothing
             std::copy_n(block, count, rest.begin());
             block = rest.data();
         }
-        look_at_block(block, task, worst);
+        const glm::dvec3* later = &normals[std::min(begin + kAhead, normals.size() - 1)];
+        for (std::size_t i = 0; i < sizeof rest; i += 64) __builtin_prefetch(reinterpret_cast<const char*>(later) + i);
+        constexpr std::make_index_sequence<kWidth> lanes;
+        Lane x, y, z;
+        take<0>(block, x, lanes);
+        take<1>(block, y, lanes);
+        take<2>(block, z, lanes);
+        // The basis of Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 6(1), 2017, but for one's sign: with
+        // s, the sign of z, and c = 1 / (1 + |z|) it is (1 - x² c, -x y c, -s x) and (-x y c, 1 - y² c, -s y). M sends it to
+        // m0 - x g and m1 - y g, where g = c (x m0 + y m1) + s m2: half the multiplications of sending both.
+        const auto from_below = z < 0.0;
+        const Lane c = 1.0 / (1.0 + (from_below ? -z : z)), cx = c * x, cy = c * y;
+        const Lane s = from_below ? -one : one;
+        const Lane gx = cx * m[0][0] + cy * m[1][0] + s * m[2][0];
+        const Lane gy = cx * m[0][1] + cy * m[1][1] + s * m[2][1];
+        const Lane gz = cx * m[0][2] + cy * m[1][2] + s * m[2][2];
+        const Lane t1x = m[0][0] - x * gx, t1y = m[0][1] - x * gy, t1z = m[0][2] - x * gz;
+        const Lane t2x = m[1][0] - y * gx, t2y = m[1][1] - y * gy, t2z = m[1][2] - y * gz;
+        const Lane there = x * x + y * y + z * z;
+        const Lane l1 = (t1x * t1x + t1y * t1y + t1z * t1z) * there;
+        const Lane l2 = (t2x * t2x + t2y * t2y + t2z * t2z) * there;
+        const Lane l12 = l1 * l2;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto& [r, plus] = task.rules[k];
+            auto& [above, below] = worst[k];
+            const Lane nx = r[0][0] * x + r[1][0] * y + r[2][0] * z + plus.x;
+            const Lane ny = r[0][1] * x + r[1][1] * y + r[2][1] * z + plus.y;
+            const Lane nz = r[0][2] * x + r[1][2] * y + r[2][2] * z + plus.z;
+            const Lane d1 = nx * t1x + ny * t1y + nz * t1z;
+            const Lane d2 = nx * t2x + ny * t2y + nz * t2z;
+            // d² / (l · |N|²), the larger of the two; a tangent of no length has no part in it.
+            const Lane a = d1 * d1 * l2, b = d2 * d2 * l1;
+            const Lane square = (a > b ? a : b), whole = (nx * nx + ny * ny + nz * nz) * l12;
+            const auto worse = square * below > above * whole;
+            above = worse ? square : above;
+            below = worse ? whole : below;
+        }
     }
+    Squares squares;
+    for (std::size_t k = 0; k < squares.size(); ++k) {
+        const Lane fractions = worst[k].above / worst[k].below;
+        squares[k] = fractions[0];
+        for (std::size_t i = 1; i < kWidth; ++i) squares[k] = std::max(squares[k], fractions[i]);
+    }
+    return squares;
 }
+
+using Look = Squares(std::span<const glm::dvec3>, const Task&);
+Squares look_at_2(std::span<const glm::dvec3> normals, const Task& task) { return look_at<Lanes2>(normals, task); }
+#if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__clang__)
+[[gnu::target("arch=x86-64-v3")]] Squares look_at_4(std::span<const glm::dvec3> normals, const Task& task) {
+    return look_at<Lanes4>(normals, task);
+}
+[[gnu::target("arch=x86-64-v4")]] Squares look_at_8(std::span<const glm::dvec3> normals, const Task& task) {
+    return look_at<Lanes8>(normals, task);
+}
+Look* fastest() {
+    if (__builtin_cpu_supports("x86-64-v4")) return look_at_8;
+    return __builtin_cpu_supports("x86-64-v3") ? look_at_4 : look_at_2;
+}
+#else
+Look* fastest() { return look_at_2; }
+#endif
 
 }  // namespace
 
@@ -126,21 +158,15 @@ ByRule<std::optional<double>> worst_dots(std::span<const glm::dvec3> normals,
     for (std::size_t k = 0; k < maps.size(); ++k)
         if (maps[k]) task.rules[k] = affine(*maps[k]);
     const std::size_t threads = threads_for(normals.size(), kNormalsWorthAThread);
-    WorstByRule none;
-    for (Worst& one : none) {
-        one.above.fill(-1.0);  // less than any square: no normal has counted yet
-        one.below.fill(1.0);
-    }
-    std::vector<WorstByRule> worst(threads, none);
-    in_parts(threads, normals.size(), [&](std::size_t part, std::size_t begin, std::size_t end) {
-        look_at(normals.subspan(begin, end - begin), task, worst[part]);
+    std::vector<Squares> squares(threads);
+    in_parts(threads, normals.size(), [&, look = fastest()](std::size_t part, std::size_t begin, std::size_t end) {
+        squares[part] = look(normals.subspan(begin, end - begin), task);
     });
     ByRule<std::optional<double>> result;
     for (std::size_t k = 0; k < maps.size(); ++k) {
         if (!maps[k]) continue;
         double most = -1.0;
-        for (const WorstByRule& one : worst)
-            for (std::size_t i = 0; i < kBlock; ++i) most = std::max(most, one[k].above[i] / one[k].below[i]);
+        for (const Squares& one : squares) most = std::max(most, one[k]);
         if (most >= 0.0) result[k] = std::min(std::sqrt(most), 1.0);
     }
     return result;
