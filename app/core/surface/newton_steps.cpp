@@ -4,9 +4,20 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 
 namespace normalscope {
+
+namespace {
+
+// A step of a few roundings leads nowhere.
+bool rests(const glm::dvec3& here, const glm::dvec3& next) {
+    constexpr double kRoundings = 16.0 * std::numeric_limits<double>::epsilon();
+    return glm::length(next - here) <= kRoundings * glm::length(here);
+}
+
+}  // namespace
 
 // Most points come to rest within a few steps, or go to and fro between two places, as rounding makes them do: those are done.
 std::vector<formulas::Sample> newton_steps(const formulas::Program& program, std::vector<glm::dvec3>& points, int most,
@@ -31,7 +42,7 @@ std::vector<formulas::Sample> newton_steps(const formulas::Program& program, std
             }
             points[p] = here;
             samples[p] = there[k];
-            if (left == 0 || to_and_fro || next == here || !(glm::length(next - start[p]) <= reach)) continue;
+            if (left == 0 || to_and_fro || rests(here, next) || !(glm::length(next - start[p]) <= reach)) continue;
             moving[still_moving] = p;
             before[still_moving] = here;
             at[still_moving++] = next;
