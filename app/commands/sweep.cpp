@@ -18,6 +18,7 @@
 #include "core/base/temporary_folder.h"
 #include "core/base/utf8.h"
 #include "core/image/png.h"
+#include "core/mesh/mesh_file.h"
 #include "core/picture/framing.h"
 #include "platform/crash_line.h"
 
@@ -178,9 +179,7 @@ int run(const SweepCommand& command) {
     Sweep sweep{.command = command};
     if (sweep.video) require_ffmpeg(command.output);
     Subject base = subject_of(command.file, command.settings);
-    std::error_code ignored;
-    if (const auto* mesh = std::get_if<MeshSurface>(&base.scene.surface);
-        mesh && fs::exists(mesh->mesh, ignored) && !fs::is_regular_file(mesh->mesh, ignored))
+    if (const auto* mesh = std::get_if<MeshSurface>(&base.scene.surface); mesh && gives_once(mesh->mesh))
         throw InputError(mesh->mesh, "is no file, and a sweep reads its mesh several times; write it to one");
     // As the first sees it, lest what grows always fill the picture.
     if (!base.scene.camera.zoom) base.scene = with_zoom(base.scene, *SurfaceCache().get(base.scene));
@@ -197,7 +196,7 @@ int run(const SweepCommand& command) {
         sweep.pattern = (sweep.frames / "%06d.png").string();
     }
     if (const fs::path folder = sweep.file(0).parent_path(); !folder.empty()) {
-        // Writing will say what is wrong.
+        std::error_code ignored;  // writing will say what is wrong
         fs::create_directories(folder, ignored);
     }
     const CancelOnSignal cancel;

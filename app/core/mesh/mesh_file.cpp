@@ -28,14 +28,10 @@ Mesh load_in_pieces(const std::filesystem::path& file) {
     return mesh_of(read_obj_file(file, kLargestFile), file.string());
 }
 
-// A pipe gives what it holds once: whoever opens it again would wait for ever.
 void refuse_to_read_again(const std::filesystem::path& file) {
+    if (!gives_once(file)) return;
     static OneAtATime one_at_a_time;
     static std::set<std::filesystem::path> read;
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored) || std::filesystem::is_regular_file(file, ignored) ||
-        std::filesystem::is_directory(file, ignored))
-        return;
     one_at_a_time.run([&] {
         if (!read.insert(file).second)
             throw InputError(file.string(),
@@ -73,6 +69,11 @@ std::string mesh_endings_in_words(std::string_view between, std::string_view bef
 }
 
 bool is_mesh_file(const std::filesystem::path& file) { return format_of(file) != nullptr; }
+
+bool gives_once(const std::filesystem::path& file) {
+    std::error_code ignored;
+    return std::filesystem::is_other(file, ignored);
+}
 
 Mesh load_mesh(const std::filesystem::path& file) {
     const Format* const format = format_of(file);
