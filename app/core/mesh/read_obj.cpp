@@ -38,11 +38,10 @@ std::int32_t index_of(std::int64_t given, std::size_t so_far) {
 
 // A vertex's number, or 1/2/3, of which the second is its texture's and the third its normal's; 0 where there is none.
 bool read_corner(Words& words, std::array<std::int64_t, 3>& numbers) {
-    if (words.take('/')) return false;
-    for (std::int64_t& number : numbers) {
-        if (!words.index(number)) return false;
-        if (!words.take('/')) break;
-    }
+    auto& [position, texture, normal] = numbers;
+    if (words.take('/') || !words.index(position)) return false;
+    if (words.take('/') && !words.index(texture)) return false;
+    if (words.take('/') && !words.index(normal)) return false;
     return words.word_is_over();
 }
 

@@ -92,15 +92,15 @@ public:
         at_ += found ? 1 : 0;
         return found;
     }
-    /// A whole number, or 0 where no digit stands; false for a minus alone. What is too large for any file's index stays so.
+    /// A whole number, or 0 where no digit stands; false for a sign alone. What is too large for any file's index stays so.
     bool index(std::int64_t& to) {
         constexpr std::int64_t kBeyondAll = std::int64_t{1} << 40;
-        const bool negative = take('-');
+        const bool negative = take('-'), has_sign = negative || take('+');
         const char* const digits = at_;
         for (to = 0; at_ < end_ && *at_ >= '0' && *at_ <= '9'; ++at_)
             if (to < kBeyondAll) to = 10 * to + (*at_ - '0');
         if (negative) to = -to;
-        return !negative || at_ > digits;
+        return !has_sign || at_ > digits;
     }
     /// Such as -1.5e3, in this line; false where the next word is no such number.
     bool number(double& to) {

@@ -189,6 +189,12 @@ TEST_F(MeshFile, LargeFilesAreReadInPartsAlike) {
     EXPECT_SAYS(error("i.obj", "\xEF\xBB\xBF" + vertices + faces + "f 1 2 90001\n"), "line 179749: face 89749 refers");
 }
 
+TEST_F(MeshFile, CornersOfObjAsOthersWriteThem) {
+    const std::string all = kTriangle + "vt 0 0\nvn 0 0 1\n";
+    for (const char* corner : {"1", "+1", "1/", "1//", "1/1", "1/1/", "1//1", "1/1/1", "-3", "-3/-1/-1"})
+        EXPECT_EQ(load("a.obj", all + "f " + corner + " 2 3\n").triangles.size(), 1u) << corner;
+}
+
 TEST_F(MeshFile, BadObj) {
     EXPECT_SAYS(error("a.obj", ""), "empty");
     EXPECT_SAYS(error("a.obj", "# nothing\n"), "no vertices");
@@ -198,7 +204,7 @@ TEST_F(MeshFile, BadObj) {
     for (const char* index : {"0", "-4", "999999999999", "-999999999999", "2147483647", "-2147483648"})
         EXPECT_SAYS(error("a.obj", kTriangle + "f 1 2 3\nf 1 2 " + index + "\n"), "line 5: face 2 refers to a vertex");
     for (const char* corner :
-         {"x", "3.0", "1.9", "1e0", "3/x", "3//1.5", "//1", "/1", "3/1/1/1", "3,2", "-", "+3", "3-"})
+         {"x", "3.0", "1.9", "1e0", "3/x", "3//1.5", "//1", "/1", "3/1/1/1", "3///", "3,2", "-", "+", "3-"})
         EXPECT_SAYS(error("a.obj", kTriangle + "\n# face 1\nf 1 2 3\nf 1 2 " + corner + "\n"),
                     "line 7: \"" + std::string(corner) + "\" is no corner of a face");
     for (const char* number : {"nan", "NaN", "inf", "-inf", "x", "0x1", "1,5", ""})
