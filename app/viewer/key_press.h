@@ -17,6 +17,8 @@ struct KeyPress {
     }
     bool shift() const { return (modifiers & ImGuiMod_Shift) != 0; }
     bool alt() const { return (modifiers & ImGuiMod_Alt) != 0; }
+    /// Ctrl, Shift, Alt, Cmd and such themselves, on either side.
+    bool is_modifier() const { return key >= ImGuiKey_LeftCtrl && key <= ImGuiKey_RightSuper; }
 };
 
 /// The key that this sign is printed on; none for others.

@@ -35,6 +35,8 @@ void Viewer::press(const KeyPress& key) {
 
 void Viewer::release(const KeyPress& key) {
     wake();
+    // Dear ImGui takes what was pressed with it as pressed without it, if both come before one picture.
+    if (key.is_modifier()) catch_up();
     gui_.key(key.key, false, key.modifiers);
 }
 

@@ -271,9 +271,12 @@ void Viewer::draw() {
 }
 
 void Viewer::obey(const Requests& requests) {
-    if (requests.make_room)
+    wants_room_ = wants_room_ || requests.make_room;
+    if (wants_room_ && !surfaces_.making()) {
         if (const auto ball = surface_ball())
             document_.scene.camera = with_room_for(document_.scene.camera, ball->centre, ball->radius);
+        wants_room_ = false;
+    }
     if (requests.step) commit();
     if (requests.rule) choose(*requests.rule);
     if (requests.undo || requests.redo) undo(requests.redo ? Direction::Redo : Direction::Undo);

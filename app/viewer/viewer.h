@@ -191,8 +191,9 @@ private:
     FlatCutCache flat_cut_;
     ErrorsCache errors_;
 
-    bool motion_ = true;     ///< nothing moves by itself where it is unwanted
-    bool greeting_ = false;  ///< the stack is played at the very first start, until anything is pressed
+    bool motion_ = true;       ///< nothing moves by itself where it is unwanted
+    bool wants_room_ = false;  ///< once the surface is there
+    bool greeting_ = false;    ///< the stack is played at the very first start, until anything is pressed
     std::optional<Swing> swing_;
     std::optional<DerivationAt> line_;      ///< of the derivation, as of the last round
     std::optional<double> carrying_since_;  ///< its arrows are on their way, by the host's clock

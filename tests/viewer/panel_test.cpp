@@ -121,6 +121,31 @@ TEST_F(PanelTest, AFormulaIsTypedAndIsOneStepToUndo) {
     expect_undo({before, scene()});
 }
 
+TEST_F(PanelTest, WhatATypedFormulaMeansIsInThePicture) {
+    start(light("implicit-sphere"));
+    const Scene before = scene();
+    type_formula("x^2+y^2+z^2-1.1");
+    key(ImGuiKey_Enter);
+    EXPECT_EQ(scene().camera, before.camera);
+    const Scene in_it = scene();
+    type_formula("x^2+y^2+z^2-0.0001");
+    key(ImGuiKey_Enter);
+    EXPECT_GT(scene().camera.magnification(), 3.0 * before.camera.magnification());
+    expect_undo({before, in_it, scene()});
+}
+
+// All before one picture, and Ctrl let go of first, as fingers do.
+TEST_F(PanelTest, AQuickCtrlASelectsAll) {
+    start(light("implicit-sphere"));
+    type_formula("x^2+y^2+z^2-0.5");
+    viewer().press(KeyPress{ImGuiKey_LeftCtrl, 0});
+    viewer().press(KeyPress{ImGuiKey_A, ImGuiMod_Ctrl});
+    viewer().release(KeyPress{ImGuiKey_LeftCtrl, ImGuiMod_Ctrl});
+    viewer().release(KeyPress{ImGuiKey_A, 0});
+    type("x+y");
+    EXPECT_EQ(formula(), "x+y");
+}
+
 TEST_F(PanelTest, TheLastGoodFormulaStays) {
     start(light("implicit-sphere"));
     const Scene before = scene();
@@ -154,6 +179,8 @@ TEST_F(PanelTest, AShapeGivesWayToAFormula) {
     Scene expected = before;
     expected.surface = scene().surface;
     expected.about = "";  // it told of the shape
+    expected.camera = scene().camera;
+    EXPECT_LT(scene().camera.magnification(), before.camera.magnification());  // it is twice as large
     EXPECT_EQ(scene(), expected);
 }
 

@@ -139,7 +139,7 @@ void field(Scene& scene, FormulaSurface& surface, FormulaMemory& memory, const P
     // A pause makes a step to undo, and so does whatever ends the editing.
     if (memory.typed_at && (!active || ImGui::GetTime() - *memory.typed_at >= kPause)) {
         memory.typed_at.reset();
-        context.requests.step = true;
+        context.requests.step = context.requests.make_room = true;
     }
     if (!draft.mistake()) return;
     const ImGuiInputTextState* state = active ? ImGui::GetInputTextState(id) : nullptr;

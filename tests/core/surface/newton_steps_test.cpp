@@ -7,8 +7,8 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
-#include <limits>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace normalscope {
