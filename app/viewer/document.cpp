@@ -42,6 +42,12 @@ bool Document::as_named() const {
            (scene.surface == named.surface && scene.stack == named.stack && scene.mistake == named.mistake);
 }
 
+Scene Document::given() const {
+    Scene given = scene;
+    if (!as_named()) given.about.clear();
+    return given;
+}
+
 bool Document::as_opened() const {
     Scene now = scene;
     now.theme = origin_->saved.theme;

@@ -43,6 +43,8 @@ public:
     bool has_file() const { return origin_->is_the_users; }
     /// Surface and map are those of which the scene's `about` speaks.
     bool as_named() const;
+    /// The scene for others: without an `about` that speaks of something else.
+    Scene given() const;
     /// There is work that no file holds. How one looks at a scene is none where it has no file of its own.
     bool unsaved() const;
     /// It is what its file holds, and seen as it was there; but for the room's light.

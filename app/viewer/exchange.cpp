@@ -151,7 +151,7 @@ std::string Viewer::address() const {
     if (in_lesson() && is_built_in_lesson(document_.file()))
         return address_of_step(document_.file(), lecture().player.number());
     if (document_.as_opened() && is_built_in_scene(document_.file())) return document_.file();
-    return link_of(document_.scene);
+    return link_of(document_.given());
 }
 
 void Viewer::open(const std::string& name) {
@@ -198,6 +198,7 @@ void Viewer::take(Opened opened) {
             document_.open_mesh(std::move(opened.scene), opened.file);
         else
             document_.open(std::move(opened.scene), opened.file);
+        wants_room_ = is_mesh_file(opened.file);  // a scene says itself from where it is seen
     }
     // A picture by itself, as in another page, says nothing but what it shows.
     if (presenting() || !gui_.interface.panel_shown() || left == document_.origin()) return;
@@ -207,6 +208,7 @@ void Viewer::take(Opened opened) {
 }
 
 void Viewer::save_scene(const std::filesystem::path& file) {
+    document_.scene = document_.given();
     normalscope::save_scene(document_.scene, file);
     document_.saved_as(file.string());
     host_.saved(file);
@@ -239,17 +241,18 @@ void Viewer::copy_command() {
 }
 
 void Viewer::copy_link() {
-    host_.set_clipboard(host_.address_of(link_of(document_.scene)));
+    host_.set_clipboard(host_.address_of(link_of(document_.given())));
     const auto* mesh = std::get_if<MeshSurface>(&document_.scene.surface);
     gui_.interface.show_note(mesh ? "Copied a link to this scene. It names " + mesh->mesh +
                                         " but does not hold it: anyone who opens the link needs that file, too"
-                                  : "Copied a link to this scene: paste it with Ctrl+V, or give it as FILE");
+                                  : "Copied a link to this scene: paste it with Ctrl+V, or open it in a new window: "
+                                    "normalscope, and the link between quotes");
 }
 
 void Viewer::copy_frame() {
     const bool lesson = in_lesson() && is_built_in_lesson(document_.file());
-    host_.set_clipboard(
-        frame_html(host_.address_of(lesson ? address() : link_of(document_.scene)), said_of(document_.scene).caption));
+    host_.set_clipboard(frame_html(host_.address_of(lesson ? address() : link_of(document_.given())),
+                                   said_of(document_.scene).caption));
     gui_.interface.show_note("Copied HTML: in a page beside normalscope.html it shows this");
 }
 

@@ -1,7 +1,10 @@
 #include "viewer/pointer.h"
 
 #include "core/base/caught.h"
+#include "core/picture/framing.h"
 #include "core/picture/picking.h"
+
+#include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +25,17 @@ void pan(Camera& camera, const Pane& pane, glm::dvec2 step, double scale) {
     const double unit = pane.view.world_per_pixel(camera.target) * scale;
     camera.target = camera.target + (-step.x * unit) * pane.view.right() + (step.y * unit) * pane.view.up();
     camera.target.xyz = glm::clamp(camera.target.xyz, glm::dvec3(-1e6), glm::dvec3(1e6));
+}
+
+// A knob that has been dragged out of the picture could not be dragged back.
+void keep_in_sight(Scene& scene, const Frame& frame, int axis, double margin) {
+    const Pane& pane = frame.panes.front();
+    const glm::dvec2 low(margin), high = glm::dvec2(pane.rect.size) - margin;
+    for (const AxisHandle& handle : axis_handles(scene, frame.surface->extent)) {
+        const glm::dvec2 at(pane.view.pixel(handle.knob()));
+        if (handle.axis == axis && glm::clamp(at, low, high) != at)
+            scene.camera.zoom = std::min(scene.camera.magnification(), framing_zoom(scene, *frame.surface));
+    }
 }
 
 }  // namespace
@@ -114,6 +128,7 @@ void Pointer::release(Scene& scene, const Frame& frame, float scale) {
         if (const auto point = picked_point(frame, world_from_object(scene), at_, kArrowReach * scale))
             scene.probe = point;
     }
+    if (drag_ == Drag::Handle && moved_) keep_in_sight(scene, frame, handle_->axis, kKnobReach * scale);
     drag_ = Drag::None;
     handle_.reset();
     knob_.reset();

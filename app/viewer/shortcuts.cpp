@@ -107,9 +107,15 @@ void Viewer::move_probe(ImGuiKey key) {
 }
 
 void Viewer::pin_probe() {
+    if (exercising() || !frame_ || !frame_->probe) return;
     std::vector<Point<Object>>& pinned = document_.scene.pinned;
-    if (!exercising() && frame_ && frame_->probe && pinned.size() < Scene::kMostPinned)
-        pinned.push_back(frame_->probe->object.point);
+    const Point<Object> point = frame_->probe->object.point;
+    if (std::ranges::find(pinned, point.xyz, &Point<Object>::xyz) != pinned.end())
+        gui_.interface.show_note("This point is pinned already");
+    else if (pinned.size() >= Scene::kMostPinned)
+        gui_.interface.show_note("No more than four points are pinned: let go of one first, at its row in the panel");
+    else
+        pinned.push_back(point);
 }
 
 void Viewer::shortcut_with_control(const KeyPress& key) {

@@ -1,6 +1,7 @@
 #include "viewer/viewer.h"
 
 #include "core/base/error.h"
+#include "core/frame/picture_scale.h"
 #include "core/picture/make_frame.h"
 
 #include <glm/vector_relational.hpp>
@@ -81,7 +82,8 @@ float Viewer::scale() const { return scale_.of(host_.content_scale(), host_.fram
 std::optional<WorldBall> Viewer::surface_ball() const {
     if (!frame_ || frame_->surface->mesh.positions.empty()) return std::nullopt;
     WorldBall ball = bounding_ball(frame_->surface->mesh, world_from_object(document_.scene));
-    ball.radius += 2.0 * document_.scene.arrows.length;
+    const double unit = picture_unit(*frame_->surface, world_from_object(document_.scene));
+    ball.radius += 2.0 * unit * document_.scene.arrows.length;
     return ball;
 }
 

@@ -45,6 +45,26 @@ TEST_F(FilesTest, AMeshIsOpenedIntoTheScene) {
     expect_undo({before, scene()});
 }
 
+TEST_F(FilesTest, AMeshThatIsOpenedIsInThePicture) {
+    write("t.obj", kTetrahedron);
+    Scene far = light();
+    far.camera.zoom = 0.01;
+    start(far);
+    answer_dialog(ImGuiKey_O, path("t.obj"));
+    EXPECT_GT(scene().camera.magnification(), 0.3);
+}
+
+TEST_F(FilesTest, WhatASceneSaysOfItselfIsSavedAsLongAsItHolds) {
+    start();
+    const std::string about = scene().about;
+    ASSERT_NE(about, "");
+    answer_dialog(ImGuiKey_S, path("a.json"));
+    EXPECT_EQ(load_scene(path("a.json")).about, about);
+    keys({ImGuiKey_R, ImGuiMod_Ctrl | ImGuiKey_S});  // nothing is stretched any more
+    EXPECT_EQ(scene().about, "");
+    EXPECT_EQ(load_scene(path("a.json")).about, "");
+}
+
 TEST_F(FilesTest, ASceneIsOpened) {
     Scene saved = light("shear");
     save_scene(saved, path("s.json"));

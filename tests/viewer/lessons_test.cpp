@@ -312,6 +312,8 @@ TEST_F(LessonsTest, ExercisesGiveTheSceneBack) {
     key(ImGuiKey_Enter);
     EXPECT_EQ(scene().arrows.show, kTold);
     key(ImGuiKey_Escape);
+    EXPECT_TRUE(asked()) << "points are lost";
+    key(ImGuiKey_Enter);
     EXPECT_EQ(named(), "");
     EXPECT_EQ(scene(), light());
     keys({ImGuiKey_N, ImGuiMod_Ctrl | ImGuiKey_Z});

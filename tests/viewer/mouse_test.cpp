@@ -251,6 +251,16 @@ TEST_F(MouseTest, AltAndTheArrowsMoveTheProbe) {
     EXPECT_LT(glm::length(scene().probe->xyz - placed), 0.02);
 }
 
+TEST_F(MouseTest, AKnobStaysInThePicture) {
+    start();
+    const Scene before = scene();
+    drag({knob(1, 2), {knob(1, 2).x, 60}, {knob(1, 2).x, 2}});
+    const double factor = std::get<Scale>(scene().stack[0]).factors.y;
+    EXPECT_GT(factor, 2.2);
+    EXPECT_GT(knob(1, factor).y, 8.0) << "it can be dragged back";
+    expect_undo({before, scene()});
+}
+
 TEST_F(MouseTest, PPinsTheProbesPointAndNoMoreThanFour) {
     for (const ViewMode view : {ViewMode::Overlay, ViewMode::Split, ViewMode::Flat}) {
         Scene scene_before = light();
@@ -262,17 +272,20 @@ TEST_F(MouseTest, PPinsTheProbesPointAndNoMoreThanFour) {
         key(ImGuiKey_P);
         ASSERT_EQ(scene().pinned, std::vector{at});
         const Scene one = scene();
-        for (int i = 0; i < 5; ++i) key(ImGuiKey_P);
+        key(ImGuiKey_P);
+        EXPECT_EQ(scene(), one);
+        EXPECT_EQ(message(), "This point is pinned already");
+        key(ImGuiMod_Ctrl | ImGuiKey_Z);
+        EXPECT_EQ(scene(), before);
+        key(ImGuiMod_Ctrl | ImGuiKey_Y);
+        for (std::size_t i = 1; i < Scene::kMostPinned; ++i) keys({ImGuiMod_Alt | ImGuiKey_UpArrow, +ImGuiKey_P});
         EXPECT_EQ(scene().pinned.size(), Scene::kMostPinned);
         ASSERT_EQ(viewer().frame()->pinned.size(), Scene::kMostPinned);
         ASSERT_TRUE(viewer().frame()->pinned[0]);
         EXPECT_LT(glm::length(viewer().frame()->pinned[0]->object.point.xyz - at.xyz), 1e-9);
-        key(ImGuiMod_Ctrl | ImGuiKey_Z);
-        key(ImGuiMod_Ctrl | ImGuiKey_Z);
-        key(ImGuiMod_Ctrl | ImGuiKey_Z);
-        EXPECT_EQ(scene(), one);
-        key(ImGuiMod_Ctrl | ImGuiKey_Z);
-        EXPECT_EQ(scene(), before);
+        keys({ImGuiMod_Alt | ImGuiKey_UpArrow, +ImGuiKey_P});
+        EXPECT_EQ(scene().pinned.size(), Scene::kMostPinned);
+        EXPECT_TRUE(message().starts_with("No more than four points are pinned")) << message();
     }
 }
 

@@ -236,6 +236,24 @@ TEST_F(PanelTest, CtrlAndALetterLeaveAField) {
     EXPECT_EQ(formula(), "x+y");
 }
 
+TEST_F(PanelTest, WhoChangesAnEntrySeesItAct) {
+    Scene nothing_acts = light();
+    nothing_acts.stack_position = 0.0;
+    start(nothing_acts);
+    slide("##y", -20);
+    EXPECT_EQ(scene().stack_position, std::nullopt);
+    EXPECT_LT(factors().y, 1.9);
+}
+
+TEST_F(PanelTest, CtrlFSelectsTheFormulaAlsoWhereItHasTheKeyboard) {
+    start(light("implicit-sphere"));
+    type_formula("x+y");
+    key(ImGuiKey_Enter);
+    key(ImGuiMod_Ctrl | ImGuiKey_F);
+    type("y+z");
+    EXPECT_EQ(formula(), "y+z");
+}
+
 TEST_F(PanelTest, ScrubbingTheStackMovesTheObject) {
     Scene two = light("shear");
     two.stack = {Scale{{1, 2, 1}}, Rotate{{0, 0, 1}, 40}};

@@ -29,6 +29,9 @@ void tip(const Look& look, const char* text) {
     else if (!hovered && storage.GetInt(kClicked) == item)
         storage.SetInt(kClicked, 0);
     if (!*text || !hovered || !look.tips || storage.GetInt(kClicked) == item) return;
+    // So does another one's that has come up where the click was.
+    const ImVec2 at = ImGui::GetMousePos(), clicked = ImGui::GetIO().MouseClickedPos[ImGuiMouseButton_Left];
+    if (std::abs(at.x - clicked.x) + std::abs(at.y - clicked.y) < look.px(4)) return;
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_ForTooltip | ImGuiHoveredFlags_AllowWhenDisabled)) return;
     show_tip(look, text);
 }

@@ -65,10 +65,14 @@ void draw_question(const Look& look, const Question& question, const StripState&
     column.put(note_box(look, verdict(chosen), width, chosen.right ? Ink::Good : Ink::Bad));
 }
 
+float text_button_width(const Look& look, const char* label) {
+    return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x + look.px(10);
+}
+
 // Ends at `right`, which it moves to its own left.
 bool text_button(const Look& look, const char* label, const char* about, bool enabled, float& right) {
-    const float side = look.px(30), width = ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
-    right -= width + look.px(10);
+    const float side = look.px(30);
+    right -= text_button_width(look, label);
     ImGui::SetCursorPos({right, look.px(4) + std::round((side - ImGui::GetFrameHeight()) / 2)});
     ImGui::BeginDisabled(!enabled);
     const bool pressed = ImGui::Button(label);
@@ -113,9 +117,17 @@ float draw_ways(const Look& look, const StripState& state, float right, StripReq
     if (icon_button(look, "##previous",
                     {.icon = Icon::Left, .about = "Previous step (Page Up, left arrow)", .enabled = state.number > 0}))
         requests.previous = true;
-    if (state.strayed && text_button(look, "Back to the step",
-                                     "The scene has been changed: this shows it as the lesson has it. (Home)", true, x))
-        requests.again = true;
+    if (!state.strayed) return x;
+    constexpr const char* kBack = "Back to the step";
+    constexpr const char* kAbout =
+        "Back to the step: the scene has been changed, and this shows it as the lesson has it. (Home)";
+    if (text_button_width(look, kBack) <= x - look.px(kStripPad)) {
+        requests.again = text_button(look, kBack, kAbout, true, x);
+        return x;
+    }
+    x -= side + look.px(4);
+    ImGui::SetCursorPos({x, look.px(4)});
+    requests.again = icon_button(look, "##again", {.icon = Icon::Reset, .about = kAbout});
     return x;
 }
 
@@ -169,7 +181,9 @@ StripRequests CaptionStrip::draw(const Look& look, const Speech& speech, const S
     draw_progress(look, state, low, size.x);
     const float left = draw_ways(look, state, size.x - look.px(10), requests);
     ImGui::SetCursorPos({look.px(kStripPad), look.px(4) + std::round((look.px(30) - ImGui::GetTextLineHeight()) / 2)});
-    const std::string title = shortened(state.title, left - look.px(kStripPad + 16));
+    const float for_title = left - look.px(kStripPad + 16);
+    const bool whole = state.short_title.empty() || ImGui::CalcTextSize(state.title.c_str()).x <= for_title;
+    const std::string title = shortened(whole ? state.title : state.short_title, for_title);
     dim_text(look, title);
     if (title != state.title) tip(look, state.title.c_str());
 

@@ -24,7 +24,8 @@ struct StripState {
     bool closes = false;                ///< it can be left
     const char* next = nullptr;         ///< what its button does; none: nothing
     std::vector<StripAction> actions;
-    bool recorded = false;  ///< a picture of it is made: there is nothing to press
+    bool recorded = false;    ///< a picture of it is made: there is nothing to press
+    std::string short_title;  ///< where there is no room for the other; empty: its beginning
 };
 struct StripRequests {
     bool next = false, previous = false, again = false, close = false;

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -47,6 +48,8 @@ public:
     /// What has been answered is left for the next exercise.
     void go_on(Scene& scene);
 
+    /// "10 of 20 points"; empty before the first answer.
+    std::string score() const;
     Speech speech() const;
     /// What may be said in this exercise, the present first: the strip holds any of them.
     std::vector<Speech> speeches() const;

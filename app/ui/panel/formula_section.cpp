@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace normalscope {
 
@@ -103,7 +104,7 @@ void field(Scene& scene, FormulaSurface& surface, FormulaMemory& memory, const P
         ImGui::SetKeyboardFocusHere();
         ImGui::SetScrollHereY(0.15f);  // what is said of the formula stands below
     }
-    memory.focus = false;
+    memory.selects_all = memory.selects_all || std::exchange(memory.focus, false);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     if (draft.mistake()) ImGui::PushStyleColor(ImGuiCol_Border, look.bad);
     const bool wrong = draft.mistake().has_value();
@@ -115,6 +116,8 @@ void field(Scene& scene, FormulaSurface& surface, FormulaMemory& memory, const P
         ImGui::PopStyleColor();
     }
     const bool active = ImGui::IsItemActive();
+    // A field to which the keyboard comes back selects nothing by itself.
+    if (active && std::exchange(memory.selects_all, false)) ImGui::GetInputTextState(id)->SelectAll();
     // What stands above it comes and goes with the surface: it must not push out of sight what is being typed.
     if (changed) memory.frames_in_sight = kSettled;
     if (memory.frames_in_sight > 0) {

@@ -43,6 +43,7 @@ struct FormulaMemory {
     FormulaSurface last;             ///< to return to after another kind of surface
     std::optional<double> typed_at;  ///< ImGui::GetTime of the last change that is no step to undo yet
     bool focus = false;              ///< the field wants the keyboard
+    bool selects_all = false;        ///< once it has it
     int frames_in_sight = 0;         ///< for how many frames more the field is not to be scrolled away
     /// Where the parameters' sliders begin and end.
     std::array<std::optional<Range>, formulas::kParameterNames.size()> ranges;

@@ -284,7 +284,19 @@ void what_follows(const Look& look, const Scene& scene) {
 
 }  // namespace
 
+namespace {
+
+// Whoever changes an entry sees what comes of it, also where the stack had been played no further than before it.
+void let_act(Scene& scene, const std::vector<StackEntry>& before) {
+    if (!scene.stack_position || scene.stack == before) return;
+    const auto changed = std::ranges::mismatch(scene.stack, before).in1 - scene.stack.begin();
+    if (*scene.stack_position < static_cast<double>(changed + 1)) scene.stack_position.reset();
+}
+
+}  // namespace
+
 void stack_section(const Look& look, Scene& scene, StackMemory& memory, bool& entries_of_m) {
+    const std::vector<StackEntry> before = scene.stack;
     const bool open = section(look, "Transform");
     buttons(look, scene, memory);
     if (!open) return;
@@ -297,6 +309,7 @@ void stack_section(const Look& look, Scene& scene, StackMemory& memory, bool& en
     if (scene.stack.empty()) dim_text(look, "No transform: M = I.");
     what_follows(look, scene);
     if (change) apply(*change, scene.stack, memory.folded);
+    let_act(scene, before);
 }
 
 }  // namespace normalscope

@@ -26,15 +26,15 @@ Meaning meaning_of(Rule rule) {
                                             : Meaning::Cofactor;
 }
 
-// "= −0.750 ✗", or "= —" where there is no normal.
-MathBox dot_with_verdict(const MathStyle& style, const std::optional<Value>& dot) {
+// "= −0.750 ✗", or "= —" where there is no normal. One tangent alone does not make a plane.
+MathBox dot_with_verdict(const MathStyle& style, const RuleCheck& check, std::size_t tangent) {
+    const auto &dot = check.dots[tangent], &other = check.dots[1 - tangent];
     if (!dot) return written(style, style.upright, "\u2014", Ink::Dim);
     MathBox box = value_box(style, *dot, Ink::Plain);
     box.add({}, written(style, style.upright, "\u22120.000", Ink::Plain).width);  // so that the mark stands still
-    const bool zero = is_zero(*dot);
-    box.append(
-        written(style, style.script, zero ? "✓ perpendicular" : "✗ not perpendicular", zero ? Ink::Good : Ink::Bad),
-        std::round(0.5f * style.em));
+    const bool zero = is_zero(*dot), both = zero && (!other || is_zero(*other));
+    const char* const verdict = both ? "✓ perpendicular" : zero ? "✗ to this one only" : "✗ not perpendicular";
+    box.append(written(style, style.script, verdict, both ? Ink::Good : Ink::Bad), std::round(0.5f * style.em));
     return box;
 }
 
@@ -165,7 +165,7 @@ Passage check_passage(const Look& look, const Derivation& derivation, const Name
         MathBox left = expression_box(at, e, [&](Place place, const Expression& part) {
             return shown.number(first_line + i, place, part.kind == Expression::Kind::Symbol);
         });
-        return Equation{std::move(left), dot_with_verdict(at, check.dots[tangent])};
+        return Equation{std::move(left), dot_with_verdict(at, check, tangent)};
     };
     auto equations = fitted(look, checks.size(), equation, width);
     const MathStyle style = math_style(look);
