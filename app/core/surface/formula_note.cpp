@@ -185,13 +185,24 @@ FormulaNote on_zeros(const ImplicitSurface& surface, Zeros zeros, const std::str
     return {thin(zeros, surface.source().bound, has_one_sign(surface)), false};
 }
 
+bool may_have_zeros_farther_out(const ImplicitSurface& surface) {
+    constexpr double kLargestBound = 1e3;
+    const formulas::Interval f =
+        formulas::value(surface.program(), {glm::dvec3(-kLargestBound), glm::dvec3(kLargestBound)});
+    return f.defined != formulas::Interval::Defined::Nowhere && f.contains(0.0) &&
+           surface.source().bound < kLargestBound;
+}
+
 }  // namespace
 
 FormulaNote note_on(const ImplicitSurface& surface, const Mesh& mesh, const Stop& stop) {
     if (surface.zero_everywhere()) return {"f is 0 everywhere: all of space, and no surface. Nothing is drawn.", false};
     if (!mesh.triangles.empty()) return on_mesh(surface, mesh);
     const std::string within = surface.source().clip == Clip::Ball ? "the ball" : "the cube";
-    FormulaNote none{"No zero of f was found within " + within + ", so nothing is drawn. Try a larger bound.", false};
+    const FormulaNote none{"No zero of f was found within " + within + ", so nothing is drawn. " +
+                               (may_have_zeros_farther_out(surface) ? "Try a larger bound."
+                                                                    : "No larger bound helps: f is nowhere 0."),
+                           false};
     if (const auto& p = surface.zero_throughout())
         return {"f is 0 throughout a part of " + within + ", as around " + point_text(*p, surface.source().bound) +
                     ", and changes its sign nowhere: a solid, and no surface. Nothing is drawn.",

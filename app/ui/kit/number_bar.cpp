@@ -57,7 +57,7 @@ void draw_bar(const Look& look, double value, const NumberBar& bar) {
     const float y = std::round((low.y + high.y - ImGui::GetFontSize()) / 2) - (above ? look.px(2) : 0.0f);
     const ImVec4 ink = bar.color ? look.readable({bar.color->x, bar.color->y, bar.color->z}) : look.dim;
     list.AddText({low.x + look.px(8), y}, packed(ink), bar.letter);
-    const std::string text = fixed(value, bar.decimals) + bar.unit;
+    const std::string text = fixed_unless_small(value, bar.decimals) + bar.unit;
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     list.AddText({high.x - width - look.px(8), y}, packed(look.text), text.c_str());
 }
