@@ -194,20 +194,31 @@ private:
 
     using WorldTriangle = std::array<glm::dvec3, 3>;
 
-    // As much of it as nothing stands before: where that is not clear from its corners, halves of it, down to a few pixels.
-    void add_seen(const WorldTriangle& t, std::vector<PlaneTriangle>& triangles) const {
+    // What touches the pane, or comes near it; false as well where it cannot be told.
+    bool in_sight(const PlaneTriangle& t) const {
+        const glm::dvec2 margin(40.0 * scale_), low = offset() - margin,
+                         high = offset() + glm::dvec2(pane_.rect.size) + margin;
+        const glm::dvec2 from = glm::min(glm::min(t[0], t[1]), t[2]), to = glm::max(glm::max(t[0], t[1]), t[2]);
+        return from.x <= high.x && from.y <= high.y && to.x >= low.x && to.y >= low.y;
+    }
+
+    // As much of it as is in sight and nothing stands before: where that is not clear from its corners, halves of it, down
+    // to a few pixels, or to where doubles do not tell them apart.
+    void add_seen(const WorldTriangle& t, std::vector<PlaneTriangle>& triangles, int halved = 0) const {
+        constexpr int kMostHalved = 80;
         if (!std::ranges::all_of(t, [&](const glm::dvec3& p) { return before_eye(p); })) return;
         PlaneTriangle flat{at(t[0]), at(t[1]), at(t[2])};
+        if (!in_sight(flat)) return;
         std::size_t longest = 0;
         const auto length = [&](std::size_t i) { return glm::distance(flat[i], flat[(i + 1) % 3]); };
         for (const std::size_t i : {1, 2})
             if (length(i) > length(longest)) longest = i;
         const auto hides = std::ranges::count_if(t, [&](const glm::dvec3& p) { return hidden(p); });
         const double most = (hides == 0 || hides == 3 ? 40.0 : 2.0) * scale_;
-        if (length(longest) > most) {
+        if (length(longest) > most && halved < kMostHalved) {
             const glm::dvec3 a = t[longest], b = t[(longest + 1) % 3], c = t[(longest + 2) % 3], half = 0.5 * (a + b);
-            add_seen({a, half, c}, triangles);
-            add_seen({half, b, c}, triangles);
+            add_seen({a, half, c}, triangles, halved + 1);
+            add_seen({half, b, c}, triangles, halved + 1);
             return;
         }
         const double area = turn(flat);
