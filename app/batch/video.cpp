@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/system.h"
+#include "core/base/text.h"
 #include "core/image/png.h"
 
 #include <cstdint>
@@ -35,7 +36,7 @@ std::vector<std::string> format_options(const fs::path& video) {
         "-pix_fmt", "yuv420p",
         "-fflags",  "+bitexact",  // no random number, date or version: the same bytes each time
         "-flags:v", "+bitexact"};
-    if (video.extension() == ".webm")
+    if (has_ending(video.string(), ".webm"))
         options.insert(options.end(), {"-crf", "24", "-b:v", "0", "-f", "webm"});
     else
         options.insert(options.end(), {"-movflags", "+faststart", "-f", "mp4"});
@@ -75,8 +76,8 @@ std::optional<int> run(std::vector<std::string> command, const fs::path& log, Pr
 }  // namespace
 
 bool is_video(const fs::path& file) {
-    const fs::path ending = file.extension();
-    return ending == ".gif" || ending == ".mp4" || ending == ".webm";
+    const std::string name = file.string();
+    return has_ending(name, ".gif") || has_ending(name, ".mp4") || has_ending(name, ".webm");
 }
 
 void require_ffmpeg(const fs::path& video) {
@@ -93,8 +94,10 @@ void write_frame(const fs::path& file, const Image& image, const fs::path& video
     }
 }
 
-bool write_video(const fs::path& folder, std::size_t pictures, int frames_per_second, const fs::path& video) {
-    const fs::path log = folder / "ffmpeg.log", partial = folder / ("video" + video.extension().string());
+bool write_video(const fs::path& frames, std::size_t pictures, int frames_per_second, const fs::path& video) {
+    // From the root, since ffmpeg takes -x for an option and x: for a protocol.
+    const fs::path folder = fs::absolute(frames), log = folder / "ffmpeg.log",
+                   partial = folder / ("video" + video.extension().string());
     std::vector<std::string> start{find_program("ffmpeg").value_or("ffmpeg").string(),
                                    "-y",
                                    "-xerror",  // or a disk that fills at the very end leaves half a video, and no error
@@ -110,7 +113,7 @@ bool write_video(const fs::path& folder, std::size_t pictures, int frames_per_se
         return command;
     };
     std::vector<std::vector<std::string>> commands;
-    if (video.extension() == ".gif") {
+    if (has_ending(video.string(), ".gif")) {
         // A palette of the video's own colours, or all 256 go to a colour cube. It is found first: a single command for
         // both keeps all pictures in memory.
         const std::string palette = (folder / "palette.png").string();

@@ -93,6 +93,8 @@ Declared declare_slides(CLI::App& root) {
     add_context(app, given->context);
     return {&app, [given] {
                 SlidesCommand command = given->command;
+                if (given->folder.empty() || given->folder == "-")
+                    throw UsageError("--output " + given->folder + ": slides are several files; name a new folder");
                 command.folder = given->folder;
                 command.size = parse_size("--size", given->size);
                 command.context = parse_context("--context", given->context);

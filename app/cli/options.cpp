@@ -70,7 +70,7 @@ Declared declare_capture(CLI::App& root) {
                 CaptureCommand command = given->command;
                 given->picture.read_into(command);
                 command.output = parse_picture_output("--output", given->output);
-                if (command.output.file.extension() == ".svg" &&
+                if (has_ending(given->output, ".svg") &&
                     (expected.count() > 0 || command.panel || command.captions || !command.tab.empty()))
                     throw UsageError("--output " + given->output +
                                      ": --expect, --panel, --tab and --captions are for pixels; end the name in .png");
@@ -140,8 +140,21 @@ std::vector<std::string> command_names(const CLI::App& root) {
     return names;
 }
 
+// A word alone is a FILE; but where there is no such thing and a command is spelt nearly so, that was meant.
+void refuse_misspelt_command(const CLI::App& root, const std::string& file) {
+    std::error_code ignored;
+    if (file.find_first_of("./") != std::string::npos || std::filesystem::exists(file, ignored)) return;
+    const std::vector<std::string> names = command_names(root);
+    if (const auto meant = nearest(file, names))
+        throw UsageError(file + ": no such command or file; did you mean " + *meant + "? The commands are " +
+                         joined(names));
+}
+
 // What no option and no argument took.
 void refuse_extras(const CLI::App& app) {
+    if (!app.get_parent() && !app.remaining().empty())
+        for (const CLI::Option* file : app.get_options([](const CLI::Option* o) { return o->get_positional(); }))
+            for (const std::string& given : file->results()) refuse_misspelt_command(app, given);
     for (const std::string& extra : app.remaining()) {
         if (extra == "--") continue;
         if (!extra.starts_with("-") || extra == "-")
@@ -166,16 +179,6 @@ void refuse_extras(const CLI::App& app) {
     std::string line = error.what();
     std::ranges::replace(line, '\n', ' ');
     throw UsageError(line + "; usage: " + usage_line(app));
-}
-
-// A word alone is a FILE; but where there is no such thing and a command is spelt nearly so, that was meant.
-void refuse_misspelt_command(const CLI::App& root, const std::string& file) {
-    std::error_code ignored;
-    if (file.find_first_of("./") != std::string::npos || std::filesystem::exists(file, ignored)) return;
-    const std::vector<std::string> names = command_names(root);
-    if (const auto meant = nearest(file, names))
-        throw UsageError(file + ": no such command or file; did you mean " + *meant + "? The commands are " +
-                         joined(names));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "core/base/decimal.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/image/image.h"
 
 #include <array>
@@ -108,8 +109,9 @@ std::string parse_numbered_output(const std::string& option, const std::string& 
     if (count > kMostPictures)
         throw UsageError("--vary: that makes " + std::to_string(count) + " pictures; at most " +
                          std::to_string(kMostPictures) + " are drawn at once");
+    if (text == "-") fail(option, text, "several pictures are no single stream; give a folder, or frame-%03d.png");
     for (const std::string_view video : {".gif", ".mp4", ".webm"})
-        if (text.ends_with(video) && text.find('%') == std::string::npos) return text;
+        if (has_ending(text, video) && text.find('%') == std::string::npos) return text;
     std::error_code ignored;
     const bool like_a_folder =
         !text.empty() && std::filesystem::path(text).filename().string().find_first_of("%.") == std::string::npos;
@@ -123,16 +125,16 @@ std::string parse_numbered_output(const std::string& option, const std::string& 
             fail(option, text, "what follows % must be a number's width, as in %03d");
         ++places;
     }
-    if (!text.ends_with(".png") || places < 1 || places > varying)
+    if (!has_ending(text, ".png") || places < 1 || places > varying)
         fail(option, text,
-             varying == 2
-                 ? "expected frame-%03d.png, frame-%d-%d.png, a folder, or a .gif, .mp4 or .webm"
-                 : "expected a place for the number, as in frame-%03d.png, a folder, or a .gif, .mp4 or .webm");
+             varying == 2 ? "expected frame-%03d.png, frame-%d-%d.png, a folder, or a .gif, .mp4 or .webm"
+                          : "expected a .png with one place for the number, as in frame-%03d.png, a folder, or a .gif, "
+                            ".mp4 or .webm");
     return text;
 }
 
 Output parse_picture_output(const std::string& option, const std::string& text) {
-    if (text.ends_with(".svg")) return {text};
+    if (has_ending(text, ".svg")) return {text};
     return parse_output(option, text);
 }
 
@@ -141,7 +143,7 @@ Output parse_output(const std::string& option, const std::string& text) {
     static constexpr std::array<std::string_view, 10> kOthers{".jpg",  ".jpeg", ".gif", ".bmp", ".tif",
                                                               ".tiff", ".webp", ".svg", ".pdf", ".mp4"};
     for (const std::string_view other : kOthers)
-        if (text.ends_with(other))
+        if (has_ending(text, other))
             throw UsageError(option + " " + text + ": only PNG is written (and by capture SVG); end the name in .png");
     return {text == "-" || text == "/dev/stdout" ? "" : text};
 }
@@ -154,10 +156,9 @@ std::filesystem::path parse_file_output(const std::string& option, const std::st
 }
 
 std::filesystem::path parse_subtitles_output(const std::string& option, const std::string& text) {
-    const std::filesystem::path file = parse_file_output(option, text);
-    if (file.extension() != ".vtt" && file.extension() != ".srt")
+    if (!text.empty() && text != "-" && !has_ending(text, ".vtt") && !has_ending(text, ".srt"))
         fail(option, text, "expected a name that ends in .vtt or .srt");
-    return file;
+    return parse_file_output(option, text);
 }
 
 std::pair<std::size_t, std::size_t> parse_shard(const std::string& option, const std::string& text) {

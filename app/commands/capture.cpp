@@ -7,6 +7,7 @@
 #include "commands/studio.h"
 #include "commands/vector_capture.h"
 #include "core/base/output.h"
+#include "core/base/text.h"
 #include "core/base/utf8.h"
 #include "core/image/png.h"
 #include "platform/crash_line.h"
@@ -40,7 +41,7 @@ int run(const CaptureCommand& command) {
         for (const std::string& note : notes) std::fprintf(stderr, "normalscope: %s\n", in_one_line(note).c_str());
         return command.fail_on_note && !notes.empty() ? 1 : 0;
     };
-    const bool vector = command.output.file.extension() == ".svg";
+    const bool vector = has_ending(command.output.file.string(), ".svg");
     int noted = 0;
     if (vector) {
         const VectorCapture drawn = vector_capture(subject.scene, command);

@@ -2,6 +2,7 @@
 
 #include "core/base/html.h"
 #include "core/base/math_text.h"
+#include "core/base/text.h"
 #include "core/base/utf8.h"
 
 #include <cmath>
@@ -51,7 +52,7 @@ void Subtitles::say(const std::string& words, double seconds) {
 }
 
 std::string Subtitles::text(const std::filesystem::path& file) const {
-    const bool srt = file.extension() == ".srt";
+    const bool srt = has_ending(file.string(), ".srt");
     std::string text = srt ? "" : "WEBVTT\n\n";
     for (std::size_t i = 0; i < cues_.size(); ++i) {
         const Cue& cue = cues_[i];

@@ -1,6 +1,7 @@
 #include "core/base/decimal.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/text.h"
 #include "core/explain/explanation.h"
 #include "core/image/png.h"
 #include "core/lessons/address.h"
@@ -217,7 +218,7 @@ void Viewer::save_scene(const std::filesystem::path& file) {
 }
 
 void Viewer::save_picture(const std::filesystem::path& file) {
-    if (file.extension() == ".svg") {
+    if (has_ending(file.string(), ".svg")) {
         const PixelRect rect{{0, 0}, gui_.interface.picture(host_.framebuffer_size()).size};
         const Frame vectors = make_frame(shown_scene(), surfaces_.get_now(document_.scene),
                                          {.rect = rect, .pixel_scale = scale(), .handles = false});

@@ -21,4 +21,8 @@ std::string in_small_letters(std::string text) {
     return text;
 }
 
+bool has_ending(std::string_view name, std::string_view lower) {
+    return name.size() >= lower.size() && is_word(name.substr(name.size() - lower.size()), lower);
+}
+
 }  // namespace normalscope

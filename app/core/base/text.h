@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,5 +15,13 @@ std::string alternatives(std::span<const std::string> words);
 
 /// The letters A to Z made small; all else, other scripts too, stays.
 std::string in_small_letters(std::string text);
+
+/// Whether they are the same but for the case of ASCII letters; `lower` has none but small ones.
+inline bool is_word(std::string_view word, std::string_view lower) {
+    return std::ranges::equal(word, lower, {},
+                              [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+}
+/// Whether a file's name ends so, such as in ".png", in any case; `lower` has none but small letters.
+bool has_ending(std::string_view name, std::string_view lower);
 
 }  // namespace normalscope

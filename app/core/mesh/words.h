@@ -4,6 +4,7 @@
 // quarter. Only the readers of mesh files include this.
 
 #include "core/base/decimal.h"
+#include "core/base/text.h"
 
 #include <glm/vec3.hpp>
 
@@ -14,12 +15,6 @@
 #include <string_view>
 
 namespace normalscope {
-
-/// Whether they are the same but for the case of ASCII letters; `lower` has none but small ones.
-inline bool is_word(std::string_view word, std::string_view lower) {
-    return std::ranges::equal(word, lower, {},
-                              [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-}
 
 /// Without the byte order mark that some editors put before UTF-8.
 inline std::string_view without_mark(std::string_view text) {

@@ -197,7 +197,7 @@ private:
     // What touches the pane, or comes near it; false as well where it cannot be told.
     bool in_sight(const PlaneTriangle& t) const {
         const glm::dvec2 margin(40.0 * scale_), low = offset() - margin,
-                         high = offset() + glm::dvec2(pane_.rect.size) + margin;
+                                                high = offset() + glm::dvec2(pane_.rect.size) + margin;
         const glm::dvec2 from = glm::min(glm::min(t[0], t[1]), t[2]), to = glm::max(glm::max(t[0], t[1]), t[2]);
         return from.x <= high.x && from.y <= high.y && to.x >= low.x && to.y >= low.y;
     }

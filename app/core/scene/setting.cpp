@@ -57,6 +57,10 @@ Json& member(Json& object, const JsonPath& path) {
     const JsonPath parent(path.begin(), path.end() - 1);
     // What is off is switched on by setting a part of it.
     if (object.is_null() && parent.size() == 1) object = json_when_on(parent[0]);
+    // A kind of surface or entry that has just been put there has no parts yet.
+    if (object.is_null() && !parent.empty() &&
+        std::ranges::count(kinds_at(JsonPath(parent.begin(), parent.end() - 1)), parent.back()) > 0)
+        throw JsonError(parent, "is not what stands there, so no part of it can be set; set all of it");
     if (!object.is_object()) throw JsonError(path, "there is nothing below " + shown(object));
     // Another kind of surface or of entry replaces the one that is there.
     const std::span<const std::string> kinds = kinds_at(parent);

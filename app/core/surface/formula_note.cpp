@@ -199,10 +199,10 @@ FormulaNote note_on(const ImplicitSurface& surface, const Mesh& mesh, const Stop
     if (surface.zero_everywhere()) return {"f is 0 everywhere: all of space, and no surface. Nothing is drawn.", false};
     if (!mesh.triangles.empty()) return on_mesh(surface, mesh);
     const std::string within = surface.source().clip == Clip::Ball ? "the ball" : "the cube";
-    const FormulaNote none{"No zero of f was found within " + within + ", so nothing is drawn. " +
-                               (may_have_zeros_farther_out(surface) ? "Try a larger bound."
-                                                                    : "No larger bound helps: f is nowhere 0."),
-                           false};
+    const FormulaNote none{
+        "No zero of f was found within " + within + ", so nothing is drawn. " +
+            (may_have_zeros_farther_out(surface) ? "Try a larger bound." : "No larger bound helps: f is nowhere 0."),
+        false};
     if (const auto& p = surface.zero_throughout())
         return {"f is 0 throughout a part of " + within + ", as around " + point_text(*p, surface.source().bound) +
                     ", and changes its sign nowhere: a solid, and no surface. Nothing is drawn.",
