@@ -65,7 +65,7 @@ private:
             return fail("there is no reference " + check_.reference->string() +
                         (command_.update ? " yet" : "; --update writes it"));
         }
-        const Image expected = read_png(*check_.reference);
+        const Image expected = reference();
         const Verdict verdict = ::normalscope::judge(actual_, expected, check_.tolerance);
         details_["verdict"] = verdict.json();
         if (verdict.agree) {
@@ -84,6 +84,14 @@ private:
             for (const fs::path& left : leave_evidence(file, *check_.reference, actual_, expected, check_.tolerance))
                 result_.evidence.push_back(left);
         });
+    }
+
+    Image reference() const {
+        try {
+            return read_png(*check_.reference);
+        } catch (const InputError& e) {
+            throw InputError(e.what() + std::string("; delete it, and --update writes it anew"));
+        }
     }
 
     void leave_actual() {

@@ -301,6 +301,11 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
     frame.notes = frame.surface->mesh.notes;
     if (const std::string_view note = note_on_triangles(*frame.surface, m); !note.empty())
         frame.notes.emplace_back(note);
+    if (const auto& positions = frame.surface->mesh.positions;
+        !m.affine() && !positions.empty() &&
+        std::ranges::none_of(positions, [&](const glm::dvec3& p) { return m.reaches({p}); }))
+        frame.notes.emplace_back(
+            "M sends no point of the surface anywhere: its w is 0 or less on all of it. Nothing of the object is drawn.");
     return frame;
 }
 
