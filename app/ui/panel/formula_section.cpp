@@ -47,6 +47,11 @@ bool FormulaDraft::follow(const FormulaSurface& scene) {
     return true;
 }
 
+void FormulaDraft::stay(const FormulaSurface& scene) {
+    followed_ = scene.formula;
+    letters_ = formulas::read(scene.formula).parameters;
+}
+
 void FormulaDraft::typed(FormulaSurface& scene) {
     for (const char letter : letters_) values_[letter_index(letter)] = scene.parameters[letter_index(letter)];
     try {
@@ -132,17 +137,25 @@ void field(Scene& scene, FormulaSurface& surface, FormulaMemory& memory, const P
             "d f g h are "
             "parameters.");
     if (changed) {
-        const FormulaSurface before = surface;
+        const FormulaMemory::Before before{surface, scene.about};
         draft.typed(surface);
-        if (surface != before) {
+        if (surface != before.surface) {
+            if (!memory.typed_at) memory.before = before;
             scene.about.clear();
-            memory.typed_at = ImGui::GetTime();
         }
+        if (surface != before.surface || memory.typed_at) memory.typed_at = ImGui::GetTime();
     }
-    // A pause makes a step to undo, and so does whatever ends the editing.
+    // A pause makes a step to undo, and so does whatever ends the editing; but what is wrong by then had a beginning that
+    // nobody meant.
     if (memory.typed_at && (!active || ImGui::GetTime() - *memory.typed_at >= kPause)) {
         memory.typed_at.reset();
-        context.requests.step = context.requests.make_room = true;
+        if (draft.mistake()) {
+            surface = memory.before.surface;
+            scene.about = memory.before.about;
+            draft.stay(surface);
+        } else {
+            context.requests.step = context.requests.make_room = true;
+        }
     }
     if (!draft.mistake()) return;
     const ImGuiInputTextState* state = active ? ImGui::GetInputTextState(id) : nullptr;

@@ -24,6 +24,8 @@ public:
     /// Takes over the scene's formula where it has changed by other means than this draft, such as by undo. True where
     /// the text has been replaced.
     bool follow(const FormulaSurface& scene);
+    /// The text stays as it is, mistake and all, beside a formula that it was not taken for.
+    void stay(const FormulaSurface& scene);
     /// What has been typed goes to the scene if it can be read.
     void typed(FormulaSurface& scene);
 
@@ -42,6 +44,10 @@ struct FormulaMemory {
     FormulaDraft draft;
     FormulaSurface last;             ///< to return to after another kind of surface
     std::optional<double> typed_at;  ///< ImGui::GetTime of the last change that is no step to undo yet
+    struct Before {
+        FormulaSurface surface;
+        std::string about;
+    } before;                        ///< those changes
     bool focus = false;              ///< the field wants the keyboard
     bool selects_all = false;        ///< once it has it
     int frames_in_sight = 0;         ///< for how many frames more the field is not to be scrolled away
