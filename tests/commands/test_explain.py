@@ -114,6 +114,7 @@ class ExplainTest(CommandTest):
         self.assert_fails(2, "explain", "split", "shear", says="shear")
         self.assert_fails(2, "explain", "--set", "rule", says=("--set", "PATH=VALUE"))
         self.assert_fails(2, "explian", says="did you mean explain?")
+        self.assert_fails(2, "explian", "shear", "--format", "json", says=("explian", "did you mean explain?"))
         self.assert_fails(3, "explain", "no-such-scene", says="no-such-scene")
         self.assert_fails(3, "explain", self.folder / "missing.json", says="missing.json")
         self.assert_fails(3, "explain", self.file("broken.json", "{"), says="broken.json")

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Figures for slides and papers: SVG, and pictures without a ground."""
 
+import json
 import math
 import re
 import unittest
@@ -27,6 +28,18 @@ class FiguresTest(CommandTest):
         self.assertTrue(any(word.endswith("° off") for word in words))
         colours = {path.get("stroke") for path in root.iter(f"{SVG}path")} | {path.get("fill") for path in root.iter(f"{SVG}path")}
         self.assertLessEqual({"#d55e00", "#009e73", "#0072b2"}, colours)
+
+    def test_what_reaches_far_beyond_the_picture_ends_there(self):
+        def stack(*factors):
+            return "stack=" + json.dumps([{"scale": 3 * [factor]} for factor in factors])
+
+        for name, *settings in (("flat", "camera.zoom=1e8"), ("slide-scale", stack(1e9), "view=overlay"),
+                                ("split", "view=flat", "stack=" + json.dumps([{"scale": [1e6, 1e6, 1e-6]}])),
+                                ("slide-scale", stack(1e9, 1e9, 1e9), "view=flat")):
+            with self.subTest(name, settings=settings):
+                text = self.svg(name, *(word for setting in settings for word in ("--set", setting)))
+                self.assertLess(len(text), 200_000)
+                self.assertNotRegex(text.decode(), r"(?i)\b-?(nan|inf)\b")
 
     def test_every_kind_of_surface(self):
         for scene in ("split", "reflection", "flattened", "implicit-torus", "identity"):

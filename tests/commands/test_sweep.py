@@ -116,7 +116,9 @@ class SweepTest(CommandTest):
         self.assert_fails(2, "sweep", "-o", out, says="--vary")
         for name in ("out.png", "%s.png", "%d-%d.png", "%", "%1000d.png", "", "%d.jpg"):
             self.assert_fails(2, "sweep", "--vary", "camera.azimuth=0:1:2", "-o", name and self.folder / name, says="--output")
-        self.assert_fails(2, "sweep", *("--vary", "camera.azimuth=0:1:1000") * 2, "-o", out, says="1000000 pictures")
+        self.assert_fails(2, "sweep", "--vary", "camera.azimuth=0:1:1000", "--vary", "camera.elevation=0:1:1000", "-o", out, says="1000000 pictures")
+        self.assert_fails(2, "sweep", *("--vary", "camera.azimuth=0:1:2") * 2, "-o", self.folder / "%d-%d.png", says="twice")
+        self.assert_fails(2, "sweep", "--vary", "camera.azimuth=0:1:2", "-o", "-", says=("--output -", "folder"))
         self.assert_fails(2, "sweep", *("--vary", "camera.azimuth=0:1:2") * 3, "-o", out, says="at most two")
         self.assert_fails(2, "sweep", "--vary", "camera.azimuth=0:1:2", "-o", out, "--jobs", "0", says="--jobs")
         self.assert_fails(2, "sweep", "--vary", "camera.azimut=0:1:2", "-o", out, says=("--vary camera.azimut", "azimuth"))
