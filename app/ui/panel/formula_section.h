@@ -47,10 +47,10 @@ struct FormulaMemory {
     struct Before {
         FormulaSurface surface;
         std::string about;
-    } before;                        ///< those changes
-    bool focus = false;              ///< the field wants the keyboard
-    bool selects_all = false;        ///< once it has it
-    int frames_in_sight = 0;         ///< for how many frames more the field is not to be scrolled away
+    } before;                  ///< those changes
+    bool focus = false;        ///< the field wants the keyboard
+    bool selects_all = false;  ///< once it has it
+    int frames_in_sight = 0;   ///< for how many frames more the field is not to be scrolled away
     /// Where the parameters' sliders begin and end.
     std::array<std::optional<Range>, formulas::kParameterNames.size()> ranges;
 
