@@ -246,8 +246,7 @@ void Viewer::copy_link() {
     const auto* mesh = std::get_if<MeshSurface>(&document_.scene.surface);
     gui_.interface.show_note(mesh ? "Copied a link to this scene. It names " + mesh->mesh +
                                         " but does not hold it: anyone who opens the link needs that file, too"
-                                  : "Copied a link to this scene: paste it with Ctrl+V, or open it in a new window: "
-                                    "normalscope, and the link between quotes");
+                                  : "Copied a link to this scene: Ctrl+V opens it");
 }
 
 void Viewer::copy_frame() {

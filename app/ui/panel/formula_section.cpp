@@ -109,7 +109,7 @@ void field(Scene& scene, FormulaSurface& surface, FormulaMemory& memory, const P
         ImGui::SetKeyboardFocusHere();
         ImGui::SetScrollHereY(0.15f);  // what is said of the formula stands below
     }
-    memory.selects_all = memory.selects_all || std::exchange(memory.focus, false);
+    if (std::exchange(memory.focus, false)) memory.selects_all = true;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     if (draft.mistake()) ImGui::PushStyleColor(ImGuiCol_Border, look.bad);
     const bool wrong = draft.mistake().has_value();

@@ -282,10 +282,6 @@ void what_follows(const Look& look, const Scene& scene) {
                                    : "M has no inverse: it leaves no surface, so that there is no normal by any rule.");
 }
 
-}  // namespace
-
-namespace {
-
 // Whoever changes an entry sees what comes of it, also where the stack had been played no further than before it.
 void let_act(Scene& scene, const std::vector<StackEntry>& before) {
     if (!scene.stack_position || scene.stack == before) return;
