@@ -103,10 +103,7 @@ int run(const AnimateCommand& command) {
     std::optional<TemporaryFolder> frames;
     if (video) frames.emplace(command.output);
     const auto file = [&](std::size_t i) { return video ? frames->path() / numbered("%06d.png", i) : named(i); };
-    if (const fs::path folder = file(0).parent_path(); !folder.empty()) {
-        std::error_code ignored;  // writing will say what is wrong
-        fs::create_directories(folder, ignored);
-    }
+    if (const fs::path folder = file(0).parent_path(); !folder.empty()) make_folder(folder);
     const CrashLine crash_line;
     Studio studio({.context = command.context, .pictures = pictures.size()});
     const CancelOnSignal cancel;

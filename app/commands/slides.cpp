@@ -41,14 +41,11 @@ constexpr std::string_view kSlideStyle = R"(
 )";
 
 // Nothing of a user's is written over: a folder that is new, or holds nothing.
-void make_folder(const fs::path& folder) {
+void make_empty_folder(const fs::path& folder) {
     std::error_code error;
-    if (fs::exists(folder, error) && !fs::is_directory(folder, error))
-        throw InputError(folder.string(), "is a file, where a folder for the slides is wanted");
     if (fs::is_directory(folder, error) && !fs::is_empty(folder, error))
         throw InputError(folder.string(), "holds something already; name a new folder, or empty this one");
-    fs::create_directories(folder, error);
-    if (error) throw InputError(folder.string(), "cannot be made: " + error.message());
+    make_folder(folder);
 }
 
 std::string words(const Lesson& lesson, std::size_t i) {
@@ -71,7 +68,7 @@ int run(const SlidesCommand& command) {
     for (const LessonStep& step : lesson.steps) files.reads_scene(command.lesson, step.scene);
     std::optional<LiveHandout> live;
     if (command.live) live.emplace(files);
-    make_folder(command.folder);
+    make_empty_folder(command.folder);
     const CrashLine crash_line;
     Studio studio({.context = command.context, .pictures = lesson.steps.size()});
     std::string html = page_head(lesson.title, kSlideStyle, live ? LiveHandout::policy() : "");

@@ -195,10 +195,7 @@ int run(const SweepCommand& command) {
         if (sweep.frames.empty()) sweep.frames = frames.emplace(command.output).path();
         sweep.pattern = (sweep.frames / "%06d.png").string();
     }
-    if (const fs::path folder = sweep.file(0).parent_path(); !folder.empty()) {
-        std::error_code ignored;  // writing will say what is wrong
-        fs::create_directories(folder, ignored);
-    }
+    if (const fs::path folder = sweep.file(0).parent_path(); !folder.empty()) make_folder(folder);
     const CancelOnSignal cancel;
     std::optional<CrashLine> crash_line;
     if (command.jobs == 1) crash_line.emplace();  // of other processes run_jobs tells

@@ -395,7 +395,7 @@ class AnimateTest(CommandTest):
         self.assert_fails(3, "animate", self.lesson, "-o", self.out / "v.gif", env={"PATH": "/none"},
                           says="install the package ffmpeg")
         (self.out / "file").write_text("")
-        self.assert_fails(3, "animate", self.lesson, "-o", self.out / "file" / "%d.png", says=("file", "cannot be written"))
+        self.assert_fails(3, "animate", self.lesson, "-o", self.out / "file" / "%d.png", says=("file", "a folder is wanted"))
         self.assertEqual(self.names(), ["file"])
 
 

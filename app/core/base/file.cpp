@@ -133,4 +133,12 @@ void write_file(const std::filesystem::path& file, std::string_view bytes) {
     }
 }
 
+void make_folder(const std::filesystem::path& folder) {
+    std::error_code error;
+    if (std::filesystem::exists(folder, error) && !std::filesystem::is_directory(folder, error))
+        throw InputError(folder.string(), "is a file, where a folder is wanted");
+    std::filesystem::create_directories(folder, error);
+    if (error) throw InputError(folder.string(), "cannot be made: " + error.message());
+}
+
 }  // namespace normalscope

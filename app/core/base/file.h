@@ -43,4 +43,7 @@ const std::string& standard_input_so_far();
 /// there before. "/dev/stdout" and other things that are not plain files are written directly. Throws InputError.
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
+/// Makes a folder, and those that it is in, where there is none. Throws InputError.
+void make_folder(const std::filesystem::path& folder);
+
 }  // namespace normalscope
