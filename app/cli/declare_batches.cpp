@@ -49,7 +49,7 @@ Declared declare_sweep(CLI::App& root) {
                     command.variations.push_back(parse_variation(text, given->vary.size() == 1 ? 25 : 5));
                 if (command.variations.size() == 2 && command.variations[0].path == command.variations[1].path)
                     throw UsageError("--vary " + command.variations[0].path +
-                                     ": is given twice; two --vary are for two keys");
+                                     ": is given twice; two --vary need two different keys");
                 std::size_t pictures = 1;
                 for (const Variation& v : command.variations) pictures *= v.values.size();
                 command.output = parse_numbered_output("--output", given->output, pictures, given->vary.size());

@@ -109,7 +109,7 @@ std::string parse_numbered_output(const std::string& option, const std::string& 
     if (count > kMostPictures)
         throw UsageError("--vary: that makes " + std::to_string(count) + " pictures; at most " +
                          std::to_string(kMostPictures) + " are drawn at once");
-    if (text == "-") fail(option, text, "several pictures are no single stream; give a folder, or frame-%03d.png");
+    if (text == "-") fail(option, text, "several pictures cannot go to one stream; give a folder, or frame-%03d.png");
     for (const std::string_view video : {".gif", ".mp4", ".webm"})
         if (has_ending(text, video) && text.find('%') == std::string::npos) return text;
     std::error_code ignored;

@@ -44,9 +44,9 @@ void InterfaceState::leave_one_thing(Scene& scene, Requests& requests) {
         presented_until = ImGui::GetTime();
     } else if (side.open && !lecture.exercises.running()) {
         side.open.reset();
-    } else if (const std::string score = lecture.exercises.score(); lecture.exercises.running() && !score.empty()) {
-        question.ask(Asked::LeavingLesson, "Leave the exercises?", "You have " + score + ", which are not kept.",
-                     {"Leave", "Stay"});
+    } else if (lecture.exercises.running() && lecture.exercises.has_score()) {
+        question.ask(Asked::LeavingLesson, "Leave the exercises?",
+                     "You have " + lecture.exercises.score() + ", which will be lost.", {"Leave", "Stay"});
     } else if (!lecture.player.running()) {
         lecture.leave(scene);
     } else if (ImGui::GetTime() - presented_until > kLater) {

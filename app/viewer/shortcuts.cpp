@@ -111,9 +111,9 @@ void Viewer::pin_probe() {
     std::vector<Point<Object>>& pinned = document_.scene.pinned;
     const Point<Object> point = frame_->probe->object.point;
     if (std::ranges::find(pinned, point.xyz, &Point<Object>::xyz) != pinned.end())
-        gui_.interface.show_note("This point is pinned already");
+        gui_.interface.show_note("This point is already pinned");
     else if (pinned.size() >= Scene::kMostPinned)
-        gui_.interface.show_note("No more than four points are pinned: let go of one first, at its row in the panel");
+        gui_.interface.show_note("At most four points can be pinned: remove one first, in its row in the panel");
     else
         pinned.push_back(point);
 }

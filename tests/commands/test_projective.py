@@ -80,7 +80,7 @@ class ProjectiveTest(CommandTest):
                 self.capture(self.bent(**keys), notes=[NOTE])
         self.assert_done("capture", self.bent(), "-o", self.folder / "bent.svg", notes=[NOTE])
         # Half of it beyond infinity; without an inverse; nowhere at all.
-        nowhere = ["sends no point of the surface anywhere"]
+        nowhere = ["No point of the surface has an image under M"]
         for row, notes in (([0, 0, 2, 1], []), ([0, 0, 1, 0], []), ([0, 0, 0, 0], nowhere)):
             with self.subTest(row):
                 n = self.numbers(self.scene(stack=[{"matrix": BENT[:3] + [row]}]), notes=notes)

@@ -274,7 +274,7 @@ TEST_F(MouseTest, PPinsTheProbesPointAndNoMoreThanFour) {
         const Scene one = scene();
         key(ImGuiKey_P);
         EXPECT_EQ(scene(), one);
-        EXPECT_EQ(message(), "This point is pinned already");
+        EXPECT_EQ(message(), "This point is already pinned");
         key(ImGuiMod_Ctrl | ImGuiKey_Z);
         EXPECT_EQ(scene(), before);
         key(ImGuiMod_Ctrl | ImGuiKey_Y);
@@ -285,7 +285,7 @@ TEST_F(MouseTest, PPinsTheProbesPointAndNoMoreThanFour) {
         EXPECT_LT(glm::length(viewer().frame()->pinned[0]->object.point.xyz - at.xyz), 1e-9);
         keys({ImGuiMod_Alt | ImGuiKey_UpArrow, +ImGuiKey_P});
         EXPECT_EQ(scene().pinned.size(), Scene::kMostPinned);
-        EXPECT_TRUE(message().starts_with("No more than four points are pinned")) << message();
+        EXPECT_TRUE(message().starts_with("At most four points can be pinned")) << message();
     }
 }
 

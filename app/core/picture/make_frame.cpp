@@ -305,7 +305,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         !m.affine() && !positions.empty() &&
         std::ranges::none_of(positions, [&](const glm::dvec3& p) { return m.reaches({p}); }))
         frame.notes.emplace_back(
-            "M sends no point of the surface anywhere: its w is 0 or less on all of it. Nothing of the object is "
+            "No point of the surface has an image under M: w is 0 or negative on all of it. Nothing of the object is "
             "drawn.");
     return frame;
 }

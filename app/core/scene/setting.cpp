@@ -60,7 +60,7 @@ Json& member(Json& object, const JsonPath& path) {
     // A kind of surface or entry that has just been put there has no parts yet.
     if (object.is_null() && !parent.empty() &&
         std::ranges::count(kinds_at(JsonPath(parent.begin(), parent.end() - 1)), parent.back()) > 0)
-        throw JsonError(parent, "is not what stands there, so no part of it can be set; set all of it");
+        throw JsonError(parent, "there is none here yet, so a part of it cannot be set; set all of it");
     if (!object.is_object()) throw JsonError(path, "there is nothing below " + shown(object));
     // Another kind of surface or of entry replaces the one that is there.
     const std::span<const std::string> kinds = kinds_at(parent);

@@ -201,7 +201,7 @@ FormulaNote note_on(const ImplicitSurface& surface, const Mesh& mesh, const Stop
     const std::string within = surface.source().clip == Clip::Ball ? "the ball" : "the cube";
     const FormulaNote none{
         "No zero of f was found within " + within + ", so nothing is drawn. " +
-            (may_have_zeros_farther_out(surface) ? "Try a larger bound." : "No larger bound helps: f is nowhere 0."),
+            (may_have_zeros_farther_out(surface) ? "Try a larger bound." : "No larger bound would show one."),
         false};
     if (const auto& p = surface.zero_throughout())
         return {"f is 0 throughout a part of " + within + ", as around " + point_text(*p, surface.source().bound) +

@@ -140,7 +140,6 @@ std::vector<Speech> Exercises::speeches() const {
 }
 
 std::string Exercises::score() const {
-    if (exercise_.number == 0 && !answered()) return "";
     return std::to_string(points_) + " of " + std::to_string(possible_) + " points";
 }
 
@@ -148,8 +147,7 @@ StripState Exercises::state() const {
     StripState state;
     const std::string number = std::to_string(exercise_.number + 1);
     // What matters first: in a narrow column its end is cut off.
-    state.title = "Exercise " + number + "   " + std::to_string(points_) + " of " + std::to_string(possible_) +
-                  " points   set " + std::to_string(exercise_.seed);
+    state.title = "Exercise " + number + "   " + score() + "   set " + std::to_string(exercise_.seed);
     state.short_title = number + ":  " + std::to_string(points_) + " / " + std::to_string(possible_);
     state.answer = answer_;
     state.closes = true;

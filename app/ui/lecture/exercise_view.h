@@ -48,8 +48,9 @@ public:
     /// What has been answered is left for the next exercise.
     void go_on(Scene& scene);
 
-    /// "10 of 20 points"; empty before the first answer.
-    std::string score() const;
+    /// Something has been answered, which is lost with the exercises.
+    bool has_score() const { return exercise_.number > 0 || answered(); }
+    std::string score() const;  ///< "10 of 20 points"
     Speech speech() const;
     /// What may be said in this exercise, the present first: the strip holds any of them.
     std::vector<Speech> speeches() const;

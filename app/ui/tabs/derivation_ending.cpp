@@ -33,7 +33,7 @@ MathBox dot_with_verdict(const MathStyle& style, const RuleCheck& check, std::si
     MathBox box = value_box(style, *dot, Ink::Plain);
     box.add({}, written(style, style.upright, "\u22120.000", Ink::Plain).width);  // so that the mark stands still
     const bool zero = is_zero(*dot), both = zero && (!other || is_zero(*other));
-    const char* const verdict = both ? "✓ perpendicular" : zero ? "✗ to this one only" : "✗ not perpendicular";
+    const char* const verdict = both ? "✓ perpendicular" : zero ? "✗ only to this one" : "✗ not perpendicular";
     box.append(written(style, style.script, verdict, both ? Ink::Good : Ink::Bad), std::round(0.5f * style.em));
     return box;
 }
