@@ -19,9 +19,10 @@ out vec4 hit;  // unit n_object, or 0 where there is none; t, or 0 for a miss, o
 
 const int ATTEMPTS = POLYNOMIAL ? 1 : 12;
 const int STEPS = (POLYNOMIAL ? 48 : 384) * (DOUBLE ? 2 : 1);
-// Of the whole: parts so narrow that f is zero there as far as can be told, and how closely a root is told.
+// Of the whole: parts so narrow that f is zero there as far as can be told, how closely a root is told, and how near to it the
+// regula falsi converges fast.
 const REAL NARROWEST = DOUBLE ? 1.0 / 65536.0 : 1.0 / 4096.0;
-const REAL CLOSE = DOUBLE ? 1e-12 : 2e-7;
+const REAL CLOSE = DOUBLE ? 1e-12 : 2e-7, NEAR = DOUBLE ? 4e-6 : 2e-3;
 
 void main() {
     hit = vec4(0.0, 0.0, 0.0, -1.0);
@@ -127,11 +128,26 @@ void main() {
                     (!POLYNOMIAL && dips);
             if (found) {
                 left = crosses ? low : dip.x;
-                right = low + width;
                 f_left = f_low;
+                right = low + width;
                 f_right = s[DEGREE];
                 f_small = smallest;
                 f_end = min(abs(f_low), abs(s[DEGREE]));
+                // Between the first two samples of unlike signs.
+                for (int j = DEGREE - 1; j > 0; --j) {
+                    if (!crosses) break;
+                    REAL here = low + width * POINTS[j];
+                    bool beyond = s[j] < 0.0 != f_low < 0.0;
+                    if (beyond) {
+                        right = here;
+                        f_right = s[j];
+                        left = low;
+                        f_left = f_low;
+                    } else if (left == low) {
+                        left = here;
+                        f_left = s[j];
+                    }
+                }
                 break;
             }
             if (free || narrow) {
@@ -147,12 +163,14 @@ void main() {
         }
         if (!found) return;
 
-        // The root between the ends by the regula falsi, in the form that halves the value at an end which stays (Illinois);
-        // a step that leaves more than half of the part is followed by one that halves it: near a multiple root, or a pole.
+        // The root between the ends by the regula falsi, in the form that lessens the value at an end which stays (Anderson and
+        // Björck, BIT 13, 1973); where three steps leave more than half of the part, as near a multiple root or a pole, one
+        // halves it. The last step of all is so short that f need not be asked again.
         low = right;
         f_low = f_right;
         REAL t = left, f_t = 0.0, side = f_left < 0.0 ? -1.0 : 1.0;
-        bool halve = false, descend = !POLYNOMIAL && !crosses;
+        int long_steps = 0;
+        bool descend = !POLYNOMIAL && !crosses;
         REAL shallow = 0.0;
         if (descend) {
             left = dip_left.x;
@@ -162,7 +180,7 @@ void main() {
         }
         for (int i = 0; i < 64 && (crosses || (!POLYNOMIAL && descend && i < 24)); ++i) {
             REAL before = right - left;
-            t = halve ? left + 0.5 * before : (left * f_right - right * f_left) / (f_right - f_left);
+            t = long_steps > 2 ? left + 0.5 * before : (left * f_right - right * f_left) / (f_right - f_left);
             bool on_the_left = dip.x - left > right - dip.x;
             if (!POLYNOMIAL && descend) t = 0.5 * (dip.x + (on_the_left ? left : right));
             f_t = f(o + t * d);
@@ -187,17 +205,20 @@ void main() {
                 if (lower) dip = REAL2(t, f_t);
                 continue;
             }
-            bool done = f_t == 0.0 || abs(t - right) < CLOSE * (to - from);
+            REAL step = abs(t - right), next = t - f_t * (t - right) / (f_t - f_right), whole = to - from;
+            bool last = step < NEAR * whole && abs(next - t) < 25.0 * CLOSE * whole;
+            bool done = f_t == 0.0 || last || step < CLOSE * whole;
             if (f_t < 0.0 != f_right < 0.0) {
                 left = right;
                 f_left = f_right;
             } else {
-                f_left *= 0.5;
+                f_left *= abs(f_t) < abs(f_right) ? 1.0 - f_t / f_right : 0.5;
             }
             right = t;
             f_right = f_t;
-            halve = abs(right - left) > 0.5 * abs(before);
+            if (last) t = next;
             if (done) break;
+            long_steps = long_steps > 2 || abs(right - left) < 0.5 * abs(before) ? 0 : long_steps + 1;
         }
         if (!POLYNOMIAL && descend) {
             t = dip.x;

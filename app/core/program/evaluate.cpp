@@ -18,6 +18,7 @@ struct Lanes {
 
     Lanes() = default;
     explicit Lanes(double value) { v.fill(value); }
+    explicit Lanes(const std::array<double, kLanes>& values) : v(values) {}
 };
 
 template <class F>
@@ -43,8 +44,8 @@ Lanes power(const Lanes& a, const Lanes& b) { return NORMALSCOPE_EACH(real::powe
 Lanes exp(const Lanes& a) { return NORMALSCOPE_EACH(real::exp(a.v[k])); }
 Lanes sqrt(const Lanes& a) { return NORMALSCOPE_EACH(std::sqrt(a.v[k])); }
 Lanes log(const Lanes& a) { return NORMALSCOPE_EACH(real::log(a.v[k])); }
-Lanes sin(const Lanes& a) { return NORMALSCOPE_EACH(std::sin(a.v[k])); }
-Lanes cos(const Lanes& a) { return NORMALSCOPE_EACH(std::cos(a.v[k])); }
+Lanes sin(const Lanes& a) { return Lanes(sines(a.v, 0)); }
+Lanes cos(const Lanes& a) { return Lanes(sines(a.v, 1)); }
 Lanes tan(const Lanes& a) { return NORMALSCOPE_EACH(std::tan(a.v[k])); }
 Lanes asin(const Lanes& a) { return NORMALSCOPE_EACH(std::asin(a.v[k])); }
 Lanes acos(const Lanes& a) { return NORMALSCOPE_EACH(std::acos(a.v[k])); }

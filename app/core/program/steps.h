@@ -5,6 +5,7 @@
 
 #include "core/program/interval.h"
 #include "core/program/program.h"
+#include "core/program/waves.h"
 
 #include <cmath>
 #include <span>
@@ -13,8 +14,8 @@ namespace normalscope::formulas {
 
 namespace real {
 inline double log(double v) { return v > 0.0 ? std::log(v) : kNaN; }
-inline double sin(double v) { return std::sin(v); }
-inline double cos(double v) { return std::cos(v); }
+inline double sin(double v) { return sines(std::array{v}, 0)[0]; }
+inline double cos(double v) { return sines(std::array{v}, 1)[0]; }
 inline double tan(double v) { return std::tan(v); }
 inline double asin(double v) { return std::asin(v); }
 inline double acos(double v) { return std::acos(v); }
