@@ -70,7 +70,7 @@ void main() {
         for (int i = 0; i < STEPS; ++i) {
             REAL s[DEGREE + 1], c[DEGREE + 1];
             s[0] = f_low;
-            REAL largest = abs(f_low), smallest = abs(f_low);
+            REAL largest = abs(f_low), smallest = abs(f_low), second = LARGEST;
             bool narrow = width < 1.5 * narrowest, dips = false;
             if (narrow && fresh) {
                 dip = previous = REAL2(low, f_low);
@@ -83,6 +83,7 @@ void main() {
                 here.y = s[j] = f(o + here.x * d);
                 REAL size = abs(here.y);
                 largest = max(largest, size);
+                second = min(second, max(smallest, size));
                 smallest = min(smallest, size);
                 if (!narrow) continue;
                 bool lower = size < abs(dip.y);
@@ -116,7 +117,8 @@ void main() {
                 faithful = last < 0.02 * (most - least) && largest < LARGEST;
             }
             bool free = least > slack || most < -slack;
-            crosses = s[DEGREE] < 0.0 != f_low < 0.0;
+            crosses = false;
+            for (int j = 1; j <= DEGREE; ++j) crosses = crosses || s[j] < 0.0 != f_low < 0.0;
             // What looks free after narrow parts may go on from a kink at their end.
             if (!POLYNOMIAL && free && !narrow && !fresh && smallest >= abs(dip.y) && peak > abs(dip.y)) {
                 dip_right = REAL2(low + width * POINTS[1], s[1]);
@@ -131,7 +133,7 @@ void main() {
                 f_left = f_low;
                 right = low + width;
                 f_right = s[DEGREE];
-                f_small = smallest;
+                f_small = max(2.0 * smallest, 0.02 * second);
                 f_end = min(abs(f_low), abs(s[DEGREE]));
                 // Between the first two samples of unlike signs.
                 for (int j = DEGREE - 1; j > 0; --j) {
@@ -165,7 +167,7 @@ void main() {
 
         // The root between the ends by the regula falsi, in the form that lessens the value at an end which stays (Anderson and
         // Björck, BIT 13, 1973); where three steps leave more than half of the part, as near a multiple root or a pole, one
-        // halves it. The last step of all is so short that f need not be asked again.
+        // halves it.
         low = right;
         f_low = f_right;
         REAL t = left, f_t = 0.0, side = f_left < 0.0 ? -1.0 : 1.0;
@@ -178,9 +180,13 @@ void main() {
             right = dip_right.x;
             shallow = min(abs(f_left), abs(dip_right.y));
         }
+        REAL whole = to - from, next = 0.0, expected = 0.0;
+        bool arrives = false;  // `next` is hardly farther from the root than can be told
         for (int i = 0; i < 64 && (crosses || (!POLYNOMIAL && descend && i < 24)); ++i) {
             REAL before = right - left;
-            t = long_steps > 2 ? left + 0.5 * before : (left * f_right - right * f_left) / (f_right - f_left);
+            t = (left * f_right - right * f_left) / (f_right - f_left);
+            if (long_steps > 2) t = left + 0.5 * before;
+            if (arrives) t = next;
             bool on_the_left = dip.x - left > right - dip.x;
             if (!POLYNOMIAL && descend) t = 0.5 * (dip.x + (on_the_left ? left : right));
             f_t = f(o + t * d);
@@ -205,10 +211,13 @@ void main() {
                 if (lower) dip = REAL2(t, f_t);
                 continue;
             }
-            REAL step = abs(t - right), next = t - f_t * (t - right) / (f_t - f_right), whole = to - from;
-            bool last = step < NEAR * whole && abs(next - t) < 25.0 * CLOSE * whole;
-            bool done = f_t == 0.0 || last || step < CLOSE * whole;
-            if (f_t < 0.0 != f_right < 0.0) {
+            REAL step = abs(t - right);
+            bool passes = f_t < 0.0 != f_right < 0.0, comes_near = passes || abs(f_t) <= abs(f_right);
+            bool done = f_t == 0.0 || (arrives && abs(f_t) < expected) || (comes_near && step < CLOSE * whole);
+            next = t - f_t * (t - right) / (f_t - f_right);
+            expected = 0.1 * min(abs(f_t), abs(f_right));
+            arrives = step < NEAR * whole && abs(next - t) < 200.0 * CLOSE * whole && comes_near;
+            if (passes) {
                 left = right;
                 f_left = f_right;
             } else {
@@ -216,7 +225,6 @@ void main() {
             }
             right = t;
             f_right = f_t;
-            if (last) t = next;
             if (done) break;
             long_steps = long_steps > 2 || abs(right - left) < 0.5 * abs(before) ? 0 : long_steps + 1;
         }
@@ -228,8 +236,8 @@ void main() {
         REAL3 n = gradient(p);
         // At a pole f changes its sign as well, but grows towards it; at a jump it stays farther from 0 than its slope
         // explains; and where it has no value there is no surface.
-        REAL explained = 100.0 * CLOSE * (to - from) * abs(dot(n, d)) + 4.0 * ROUNDING * f_end;
-        if (!POLYNOMIAL && (!(abs(f_t) <= max(2.0 * f_small, 1e-4 * f_end)) || abs(f_t) > explained || !is_defined(p))) {
+        REAL explained = 100.0 * CLOSE * whole * abs(dot(n, d)) + 4.0 * ROUNDING * f_end;
+        if (!POLYNOMIAL && (!(abs(f_t) <= max(f_small, 1e-4 * f_end)) || abs(f_t) > explained || !is_defined(p))) {
             width = min(narrowest, to - low);
             fresh = true;
             before_low = REAL2(0.0);

@@ -115,6 +115,7 @@ constexpr std::array kCases{
     Case{"BelowWhatFloatsHold", "exp(-100(x^2+y^2+z^2))-exp(-100)", 1.5},
     Case{"Cancelling", "(x+1000)^2-1000^2+(y+1000)^2-1000^2+(z+1000)^2-1000^2-2000(x+y+z)-1", 1.5},
     Case{"TouchesSmoothly", "sin(x+y/2)^2"},
+    Case{"CloseSheetsBesideAKink", "|x^2+y^2+z^2-1|-0.0001"},
     Case{"TouchesInAKink", "|x^2+y^2+z^2-1|"},
 };
 INSTANTIATE_TEST_SUITE_P(Surfaces, Trace, ::testing::ValuesIn(kCases),
