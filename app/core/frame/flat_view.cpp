@@ -38,6 +38,9 @@ std::optional<glm::dvec2> factors_of(const NormalMap& map, const FlatPlane& plan
 }
 
 std::string note_on(const FlatView& view, const std::optional<ProbeInWorld>& probe) {
+    const bool misses_a_sheet = view.cut->misses_a_sheet;
+    if (view.cut->curves.empty() && misses_a_sheet)
+        return "The surface lies in the plane z = 0: there is no curve to draw.";
     if (view.cut->curves.empty()) return "The surface does not cross the plane z = 0: there is no curve to draw.";
     if (view.plane.image == FlatPlane::Image::Point) return "M sends this plane to a single point: no curve is left.";
     if (view.plane.image == FlatPlane::Image::Line) return "M flattens this plane to a line, and the curve with it.";
@@ -50,6 +53,7 @@ std::string note_on(const FlatView& view, const std::optional<ProbeInWorld>& pro
             const auto& n = probe->normals[rule];
             leaving = leaving || (n && leaves(view.plane, n->xyz));
         }
+    if (misses_a_sheet) return "A part of the surface lies in the plane z = 0: only the curves beside it are drawn.";
     if (leaving) return "The normals leave this plane at the probe: their parts within it are drawn.";
     if (view.plane.tilted) return "M tilts the plane: both curves are seen straight on, each in its own.";
     return {};

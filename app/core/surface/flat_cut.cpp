@@ -5,6 +5,7 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +14,13 @@
 namespace normalscope {
 
 namespace {
+
+bool has_triangle_in_plane(const Mesh& mesh) {
+    return std::ranges::any_of(mesh.triangles, [&](const glm::uvec3& t) {
+        const auto in_plane = [&](std::uint32_t i) { return mesh.positions[i].z == 0.0; };
+        return in_plane(t.x) && in_plane(t.y) && in_plane(t.z);
+    });
+}
 
 // A corner in the plane counts as above it, so that each triangle which the plane parts is met along one piece, and one that
 // lies in the plane along none.
@@ -42,12 +50,34 @@ std::vector<CurvePiece> pieces_of_mesh(const Mesh& mesh) {
     return pieces;
 }
 
+// Where f is level, as max(z, x² + y² - 1) is below its lid, nothing leads to the curve: the nearest change of sign around.
+glm::dvec3 onto_edge(const ImplicitSurface& surface, const glm::dvec3& start, double reach) {
+    constexpr int kWays = 16, kHalvings = 40;
+    const bool below = surface.at({start}).value < 0.0;
+    glm::dvec3 best = start;
+    double nearest = reach;
+    for (int way = 0; way < kWays; ++way) {
+        const double angle = glm::two_pi<double>() * way / kWays;
+        const glm::dvec3 along(std::cos(angle), std::sin(angle), 0.0);
+        const auto crosses = [&](double distance) {
+            return (surface.at({start + distance * along}).value < 0.0) != below;
+        };
+        double near = 0.0, far = nearest;
+        if (!crosses(far)) continue;
+        for (int i = 0; i < kHalvings; ++i) (crosses(0.5 * (near + far)) ? far : near) = 0.5 * (near + far);
+        nearest = far;
+        best = start + far * along;
+    }
+    return best;
+}
+
 // Newton's steps within the plane; where they lead away, the point stays.
 glm::dvec3 onto_curve(const ImplicitSurface& surface, const glm::dvec3& start, double reach) {
     glm::dvec3 p = start;
     for (int i = 0; i < 8; ++i) {
         const formulas::Sample s = surface.at({p});
         const glm::dvec3 slope(s.gradient.x, s.gradient.y, 0.0);
+        if (slope == glm::dvec3(0.0) && s.value != 0.0) return onto_edge(surface, start, 3.0 * reach);
         const glm::dvec3 next = p - s.value / glm::dot(slope, slope) * slope;
         if (!(glm::distance(next, start) <= reach)) return p == start ? start : p;
         if (next == p) break;
@@ -56,19 +86,41 @@ glm::dvec3 onto_curve(const ImplicitSurface& surface, const glm::dvec3& start, d
     return p;
 }
 
-std::vector<CurvePiece> pieces_of_formula(const ImplicitSurface& surface) {
-    const LevelSets sets = level_sets(surface, {Axis::Z, 0.0, false}, Detail::Lines);
+// Where f changes its sign on the plane z = height, brought back to z = 0.
+std::vector<CurvePiece> pieces_of_formula(const ImplicitSurface& surface, double height) {
+    const LevelSets sets = level_sets(surface, {Axis::Z, height, false}, Detail::Lines);
     const double reach = 0.01 * sets.reach;
     std::vector<CurvePiece> pieces;
     for (const LevelSets::Line& line : sets.lines) {
         if (line.level != 0) continue;
         const auto site = [&](const glm::dvec3& end) {
             const glm::dvec3 p = onto_curve(surface, end, reach);
-            return Site{{p}, {surface.at({p}).gradient}};
+            return Site{{{p.x, p.y, 0.0}}, {surface.at({p}).gradient}};
         };
         pieces.push_back({site(line.ends[0]), site(line.ends[1])});
     }
     return pieces;
+}
+
+// Whether f is 0 on more than curves of the plane, as z (x² + y² + z² - 1) is.
+bool contains_plane(const ImplicitSurface& surface, const formulas::Box& region) {
+    constexpr int kSide = 24;
+    constexpr double kBeside = 0.317;  // of a square: a curve along the axes runs between the points
+    constexpr int kOfACurve = 2 * kSide;
+    int zeros = 0;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const glm::dvec2 share = (glm::dvec2(i % kSide, i / kSide) + kBeside) / double{kSide};
+        zeros += surface.lies_on(glm::dvec3(glm::mix(glm::dvec2(region.low), glm::dvec2(region.high), share), 0.0));
+    }
+    return zeros > kOfACurve;
+}
+
+// What lies in the plane has no curve; what else crosses it there does so just below it, or just above.
+void cut_formula(FlatCut& cut, std::vector<CurvePiece>& pieces, const ImplicitSurface& surface) {
+    cut.misses_a_sheet = contains_plane(surface, *surface.region());
+    const double beside = cut.misses_a_sheet ? 1e-7 * surface.source().bound : 0.0;
+    pieces = pieces_of_formula(surface, -beside);
+    if (cut.misses_a_sheet && pieces.empty()) pieces = pieces_of_formula(surface, beside);
 }
 
 // The plane in bands across y, between the heights of the corners: within a band no two sides meet.
@@ -130,10 +182,13 @@ Site between(const CurvePiece& piece, double s) {
 }  // namespace
 
 FlatCut flat_cut(const Surface& surface) {
-    std::vector<CurvePiece> pieces;
-    if (surface.implicit && surface.implicit->region()) pieces = pieces_of_formula(*surface.implicit);
-    if (pieces.empty()) pieces = pieces_of_mesh(surface.mesh);
     FlatCut cut;
+    std::vector<CurvePiece> pieces;
+    if (surface.implicit && surface.implicit->region())
+        cut_formula(cut, pieces, *surface.implicit);
+    else
+        cut.misses_a_sheet = has_triangle_in_plane(surface.mesh);
+    if (pieces.empty() && !(surface.implicit && cut.misses_a_sheet)) pieces = pieces_of_mesh(surface.mesh);
     double extent = 0.0;
     for (const CurvePiece& piece : pieces) {
         extent = std::max({extent, glm::length(piece.from.point.xyz), glm::length(piece.to.point.xyz)});

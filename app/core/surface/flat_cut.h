@@ -18,10 +18,11 @@ struct FlatCut {
     std::vector<Curve> curves;
     /// What closed curves enclose, an odd number of them: quadrilaterals beside each other, x and y.
     std::vector<std::array<glm::dvec2, 4>> inside;
-    double length = 0.0;  ///< of all curves
+    double length = 0.0;          ///< of all curves
+    bool misses_a_sheet = false;  ///< a part of the surface lies in the plane: no curve shows it
 };
 
-/// Empty where the surface does not cross the plane, and where it only touches it or lies in it.
+/// Without curves where the surface does not cross the plane, and where it only touches it or lies in it.
 FlatCut flat_cut(const Surface& surface);
 
 /// The cut's point that is nearest to `p`, and the surface's normal there; empty only where there is no cut.

@@ -66,6 +66,23 @@ TEST(FlatCut, OfShapesAndFormulasIsTheCurveThatOneKnows) {
     EXPECT_TRUE(cut_of(FormulaSurface{.formula = "x^2+y^2+(z-1)^2-0.04"}).curves.empty());
 }
 
+TEST(FlatCut, OfASurfaceInThePlaneIsOnlyWhatElseCrossesIt) {
+    for (const char* formula : {"z", "z^3", "exp(z)-1", "min(|z|,|x|)"}) {
+        const FlatCut cut = cut_of(FormulaSurface{.formula = formula});
+        EXPECT_TRUE(cut.curves.empty() && cut.misses_a_sheet) << formula;
+        const Frame frame = frame_of(flat_scene(FormulaSurface{.formula = formula}));
+        ASSERT_TRUE(frame.flat);
+        EXPECT_EQ(frame.flat->note, "The surface lies in the plane z = 0: there is no curve to draw.");
+    }
+    for (const char* formula :
+         {"z(x^2+y^2+z^2-1)", "max(z,x^2+y^2-1)", "max(-z,x^2+y^2+z^2-1)", "min(z,x^2+y^2+z^2-1)"}) {
+        const FlatCut circle = cut_of(FormulaSurface{.formula = formula});
+        ASSERT_EQ(circle.curves.size(), 1u) << formula;
+        EXPECT_NEAR(circle.length, 2.0 * glm::pi<double>(), 2e-3) << formula;
+    }
+    EXPECT_EQ(cut_of(FormulaSurface{.formula = "x z"}).curves.size(), 1u);
+}
+
 TEST(FlatCut, ACornerHasTheNormalsOfBothItsSides) {
     const FlatCut square = cut_of(ShapeSurface{Shape::Cube, 8});
     int corners = 0;
