@@ -53,8 +53,11 @@ Declared declare_sweep(CLI::App& root) {
                 std::size_t pictures = 1;
                 for (const Variation& v : command.variations) pictures *= v.values.size();
                 command.output = parse_numbered_output("--output", given->output, pictures, given->vary.size());
-                if (sheet.count() > 0) command.sheet = parse_output("--sheet", given->sheet);
-                if (numbers.count() > 0) command.numbers = parse_output("--numbers", given->numbers);
+                if (sheet.count() > 0) command.sheet = parse_output("--sheet", given->sheet, Written::Picture);
+                if (numbers.count() > 0) command.numbers = parse_output("--numbers", given->numbers, Written::Json);
+                if (command.numbers && command.numbers->is_standard() && command.sheet && command.sheet->is_standard())
+                    throw UsageError("--numbers " + given->numbers +
+                                     ": the sheet goes there already; write one of them elsewhere");
                 command.jobs = parse_jobs(given->jobs);
                 command.frames_per_second = parse_count("--fps", given->fps, 240);
                 return command;
@@ -84,7 +87,7 @@ Declared declare_compare(CLI::App& root) {
                 command.actual = given->actual;
                 command.expected = given->expected;
                 command.tolerance = given->tolerance.read();
-                if (diff.count() > 0) command.diff = parse_output("--diff", given->diff);
+                if (diff.count() > 0) command.diff = parse_output("--diff", given->diff, Written::Picture);
                 return command;
             }};
 }
@@ -122,10 +125,9 @@ Declared declare_check(CLI::App& root) {
     return {&app, [given, &junit, &report, &shard] {
                 CheckCommand command = given->command;
                 command.manifest = given->manifest;
-                if (given->results.empty()) throw UsageError("--results: its folder's name is empty");
                 command.results = given->results;
-                if (junit.count() > 0) command.junit = parse_file_output("--junit", given->junit);
-                if (report.count() > 0) command.report = parse_file_output("--report", given->report);
+                if (junit.count() > 0) command.junit = parse_file_output("--junit", given->junit, Written::Xml);
+                if (report.count() > 0) command.report = parse_file_output("--report", given->report, Written::Page);
                 if (shard.count() > 0) std::tie(command.shard, command.shards) = parse_shard("--shard", given->shard);
                 command.context = parse_context("--context", given->context);
                 command.jobs = parse_jobs(given->jobs);

@@ -65,7 +65,7 @@ Declared declare_handout(CLI::App& root) {
     add_context(app, given->context);
     return {&app, [given] {
                 HandoutCommand command = given->command;
-                command.output = parse_output("--output", given->output);
+                command.output = parse_output("--output", given->output, Written::Page);
                 command.size = parse_size("--size", given->size);
                 command.answers = parse_answers("--answers", given->answers);
                 command.context = parse_context("--context", given->context);
@@ -93,7 +93,7 @@ Declared declare_slides(CLI::App& root) {
     add_context(app, given->context);
     return {&app, [given] {
                 SlidesCommand command = given->command;
-                if (given->folder.empty() || given->folder == "-")
+                if (given->folder == "-")
                     throw UsageError("--output " + given->folder + ": slides are several files; name a new folder");
                 command.folder = given->folder;
                 command.size = parse_size("--size", given->size);
@@ -121,7 +121,7 @@ Declared declare_quiz(CLI::App& root) {
     add_context(app, given->context);
     return {&app, [given] {
                 QuizCommand command = given->command;
-                command.output = parse_output("--output", given->output);
+                command.output = parse_output("--output", given->output, Written::Xml);
                 command.size = parse_size("--size", given->size);
                 command.context = parse_context("--context", given->context);
                 return command;

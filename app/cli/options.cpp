@@ -74,7 +74,7 @@ Declared declare_capture(CLI::App& root) {
                     (expected.count() > 0 || command.panel || command.captions || !command.tab.empty()))
                     throw UsageError("--output " + given->output +
                                      ": --expect, --panel, --tab and --captions are for pixels; end the name in .png");
-                if (numbers.count() > 0) command.numbers = parse_output("--numbers", given->numbers);
+                if (numbers.count() > 0) command.numbers = parse_output("--numbers", given->numbers, Written::Json);
                 if (command.numbers && command.numbers->is_standard() && command.output.is_standard())
                     throw UsageError("--numbers " + given->numbers +
                                      ": the picture goes there already; write one of them elsewhere");
@@ -170,12 +170,26 @@ void refuse_extras(const CLI::App& app) {
     }
 }
 
+std::string name_of(const CLI::Option& option) {
+    return option.get_positional() ? option.get_name(true) : "--" + option.get_lnames().front();
+}
+
+// Such as a script's variable that is not set. What an empty FILE means is said by who opens it.
+void refuse_empty_values(const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options()) {
+        const bool needed = option->get_required();
+        if ((option->get_positional() && !needed) || std::ranges::none_of(option->results(), &std::string::empty))
+            continue;
+        throw UsageError(name_of(*option) + ": its value is empty" +
+                         (needed ? "" : "; give one, or leave the option out"));
+    }
+}
+
 [[noreturn]] void refuse(const CLI::App& app, const CLI::ParseError& error) {
     refuse_extras(app);  // where a name is misspelt, that is what to say, not what is missing for it
     for (const CLI::Option* option : app.get_options())
         if (option->get_required() && option->count() == 0 && error.get_name() == "RequiredError")
-            throw UsageError((option->get_positional() ? option->get_name(true) : "--" + option->get_lnames().front()) +
-                             " is missing; usage: " + usage_line(app));
+            throw UsageError(name_of(*option) + " is missing; usage: " + usage_line(app));
     std::string line = error.what();
     std::ranges::replace(line, '\n', ' ');
     throw UsageError(line + "; usage: " + usage_line(app));
@@ -217,6 +231,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     const Declared& command = chosen();
     refuse_extras(root);
     refuse_extras(*command.app);
+    refuse_empty_values(*command.app);
     if (command.app != &root)
         for (const CLI::Option* option : root.get_options())
             if (option->count() > 0)

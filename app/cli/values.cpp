@@ -135,30 +135,54 @@ std::string parse_numbered_output(const std::string& option, const std::string& 
 
 Output parse_picture_output(const std::string& option, const std::string& text) {
     if (has_ending(text, ".svg")) return {text};
-    return parse_output(option, text);
+    return parse_output(option, text, Written::Picture);
 }
 
-Output parse_output(const std::string& option, const std::string& text) {
-    if (text.empty()) throw UsageError(option + ": its file's name is empty; give a name, or - for standard output");
-    static constexpr std::array<std::string_view, 10> kOthers{".jpg",  ".jpeg", ".gif", ".bmp", ".tif",
-                                                              ".tiff", ".webp", ".svg", ".pdf", ".mp4"};
-    for (const std::string_view other : kOthers)
-        if (has_ending(text, other))
-            throw UsageError(option + " " + text + ": only PNG is written (and by capture SVG); end the name in .png");
+Output parse_output(const std::string& option, const std::string& text, Written what) {
+    struct Ending {
+        std::string_view text;
+        std::optional<Written> says;
+    };
+    static constexpr std::array kEndings{
+        Ending{".png", Written::Picture},
+        Ending{".html", Written::Page},
+        Ending{".htm", Written::Page},
+        Ending{".xml", Written::Xml},
+        Ending{".json", Written::Json},
+        Ending{".vtt", Written::Subtitles},
+        Ending{".srt", Written::Subtitles},
+        Ending{".jpg", {}},
+        Ending{".jpeg", {}},
+        Ending{".gif", {}},
+        Ending{".bmp", {}},
+        Ending{".tif", {}},
+        Ending{".tiff", {}},
+        Ending{".webp", {}},
+        Ending{".svg", {}},
+        Ending{".pdf", {}},
+        Ending{".mp4", {}},
+        Ending{".webm", {}},
+    };
+    static constexpr std::array<std::string_view, 5> kInstead{
+        "only PNG is written (and by capture SVG); end the name in .png", "a page is written; end the name in .html",
+        "XML is written; end the name in .xml", "JSON is written; end the name in .json",
+        "expected a name that ends in .vtt or .srt"};
+    for (const Ending& ending : kEndings)
+        if (ending.says != what && has_ending(text, ending.text))
+            fail(option, text, std::string(kInstead[static_cast<std::size_t>(what)]));
     return {text == "-" || text == "/dev/stdout" ? "" : text};
 }
 
-std::filesystem::path parse_file_output(const std::string& option, const std::string& text) {
-    if (text.empty()) throw UsageError(option + ": its file's name is empty");
-    const Output output = parse_output(option, text);
+std::filesystem::path parse_file_output(const std::string& option, const std::string& text, Written what) {
+    const Output output = parse_output(option, text, what);
     if (output.is_standard()) fail(option, text, "the results are printed there already; give a file's name");
     return output.file;
 }
 
 std::filesystem::path parse_subtitles_output(const std::string& option, const std::string& text) {
-    if (!text.empty() && text != "-" && !has_ending(text, ".vtt") && !has_ending(text, ".srt"))
+    if (text != "-" && !has_ending(text, ".vtt") && !has_ending(text, ".srt"))
         fail(option, text, "expected a name that ends in .vtt or .srt");
-    return parse_file_output(option, text);
+    return parse_file_output(option, text, Written::Subtitles);
 }
 
 std::pair<std::size_t, std::size_t> parse_shard(const std::string& option, const std::string& text) {

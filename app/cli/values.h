@@ -24,10 +24,12 @@ std::string parse_numbered_output(const std::string& option, const std::string& 
                                   std::size_t varying);
 /// A picture's name, which may end in .svg.
 Output parse_picture_output(const std::string& option, const std::string& text);
-/// "-" is standard output, and so is "/dev/stdout": the stream itself, which a rename would miss.
-Output parse_output(const std::string& option, const std::string& text);
+enum class Written { Picture, Page, Xml, Json, Subtitles };
+/// "-" is standard output, and so is "/dev/stdout": the stream itself, which a rename would miss. A name may end in anything but
+/// what says that it holds something else.
+Output parse_output(const std::string& option, const std::string& text, Written what);
 /// What cannot go to standard output, where results are printed.
-std::filesystem::path parse_file_output(const std::string& option, const std::string& text);
+std::filesystem::path parse_file_output(const std::string& option, const std::string& text, Written what);
 /// What ends in .vtt or .srt.
 std::filesystem::path parse_subtitles_output(const std::string& option, const std::string& text);
 /// "2/5"

@@ -251,7 +251,7 @@ class CutShortTest(CommandTest):
         self.assertIn('"state":"skipped"', self.report.read_text())
 
     def test_signals(self):
-        for number, jobs in ((signal.SIGINT, "1"), (signal.SIGTERM, "2")):
+        for number, jobs in ((signal.SIGINT, "1"), (signal.SIGTERM, "2"), (signal.SIGHUP, "1")):
             process = self.start("--jobs", jobs, "--update")
             process.send_signal(number)
             out, err = process.stdout.readlines(), PROGRESS.sub("", process.stderr.read())
