@@ -1,5 +1,7 @@
 #include "batch/numbered.h"
 
+#include "core/base/text.h"
+
 namespace normalscope {
 
 std::filesystem::path numbered(const std::string& pattern, std::size_t i, std::size_t columns) {
@@ -21,6 +23,12 @@ std::filesystem::path numbered(const std::string& pattern, std::size_t i, std::s
         at = end + 1;
     }
     return name;
+}
+
+std::string pictures_written(const std::string& pattern, std::size_t count, std::size_t columns) {
+    const std::string first = numbered(pattern, 0, columns).string(),
+                      last = numbered(pattern, count - 1, columns).string();
+    return counted(count, "picture") + ": " + first + (first == last ? "" : " to " + last);
 }
 
 }  // namespace normalscope

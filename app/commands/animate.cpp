@@ -103,7 +103,7 @@ int run(const AnimateCommand& command) {
     std::optional<TemporaryFolder> frames;
     if (video) frames.emplace(command.output);
     const auto file = [&](std::size_t i) { return video ? frames->path() / numbered("%06d.png", i) : named(i); };
-    if (const fs::path folder = file(0).parent_path(); !folder.empty()) make_folder(folder);
+    for (std::size_t i = 0; i < (video ? 1 : pictures.size()); ++i) make_folder_for(file(i));
     const CrashLine crash_line;
     Studio studio({.context = command.context, .pictures = pictures.size()});
     const CancelOnSignal cancel;
@@ -133,7 +133,7 @@ int run(const AnimateCommand& command) {
         return CancelOnSignal::exit_code();
     }
     if (command.subtitles) write_file(*command.subtitles, film.subtitles.text(*command.subtitles));
-    print(std::to_string(pictures.size()) + " pictures: " + command.output + "\n");
+    print(pictures_written(command.output, pictures.size()) + "\n");
     return 0;
 }
 

@@ -3,6 +3,7 @@
 #include "commands/manifest.h"
 #include "commands/studio.h"
 #include "core/base/output.h"
+#include "core/base/text.h"
 #include "core/frame/display_scale.h"
 #include "core/lessons/open.h"
 #include "platform/crash_line.h"
@@ -82,7 +83,7 @@ int check_lessons(const LessonsCommand& command) {
         std::string text;
         for (const std::string& line : wrong) text += lesson.name + ", " + line + "\n";
         if (wrong.empty())
-            text = lesson.name + ": " + std::to_string(lesson.steps.size()) + " steps, all is well\n";
+            text = lesson.name + ": " + counted(lesson.steps.size(), "step") + ", all is well\n";
         else
             code = 1;
         print(text);

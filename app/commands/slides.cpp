@@ -1,5 +1,7 @@
 #include "commands/commands.h"
 
+#include "batch/cancel.h"
+#include "batch/progress.h"
 #include "commands/files_of_run.h"
 #include "commands/live_handout.h"
 #include "commands/step_html.h"
@@ -7,12 +9,14 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/html.h"
+#include "core/base/temporary_folder.h"
 #include "core/frame/display_scale.h"
 #include "core/image/png.h"
 #include "core/lessons/open.h"
 #include "platform/crash_line.h"
 #include "ui/lecture/marks_of_step.h"
 
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -69,10 +73,13 @@ int run(const SlidesCommand& command) {
     std::optional<LiveHandout> live;
     if (command.live) live.emplace(files);
     make_empty_folder(command.folder);
+    const TemporaryFolder made(command.folder / "index.html");
+    const CancelOnSignal cancel;
     const CrashLine crash_line;
     Studio studio({.context = command.context, .pictures = lesson.steps.size()});
     std::string html = page_head(lesson.title, kSlideStyle, live ? LiveHandout::policy() : "");
-    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+    Progress progress(lesson.steps.size());
+    for (std::size_t i = 0; i < lesson.steps.size() && !CancelOnSignal::asked(); ++i) {
         const LessonStep& step = lesson.steps[i];
         const CaptureOptions options{.size = command.size,
                                      .scale = 1.5f * usual_scale(command.size),
@@ -81,12 +88,20 @@ int run(const SlidesCommand& command) {
                                      .legend_corner = Frame::LegendCorner::WhereFree,
                                      .marks = marks_of(step)};
         const Image image = studio.capture(step.scene, options).image;
-        write_png(command.folder / file_name(i), image);
+        write_png(made.path() / file_name(i), image);
         // A live page takes no file from beside it.
         const std::string source = live ? data_of(image) : file_name(i);
         html += "<section>\n" + picture_html(step, source, live ? live->attributes(step.scene) : "") +
                 words(lesson, i) + "</section>\n";
+        progress.step();
     }
+    progress.hide();
+    if (CancelOnSignal::asked()) {
+        std::fprintf(stderr, "normalscope: cancelled; no slides were written\n");
+        return CancelOnSignal::exit_code();
+    }
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i)
+        fs::rename(made.path() / file_name(i), command.folder / file_name(i));
     write_file(command.folder / "index.html", html + (live ? live->program() : "") + "</body>\n</html>\n");
     return 0;
 }

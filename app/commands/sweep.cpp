@@ -195,7 +195,8 @@ int run(const SweepCommand& command) {
         if (sweep.frames.empty()) sweep.frames = frames.emplace(command.output).path();
         sweep.pattern = (sweep.frames / "%06d.png").string();
     }
-    if (const fs::path folder = sweep.file(0).parent_path(); !folder.empty()) make_folder(folder);
+    for (std::size_t i = 0; i < count; ++i)
+        if (i == 0 || sweep.file(i).parent_path() != sweep.file(i - 1).parent_path()) make_folder_for(sweep.file(i));
     const CancelOnSignal cancel;
     std::optional<CrashLine> crash_line;
     if (command.jobs == 1) crash_line.emplace();  // of other processes run_jobs tells
@@ -208,8 +209,7 @@ int run(const SweepCommand& command) {
         return CancelOnSignal::exit_code();
     }
     if (!command.numbers || !command.numbers->is_standard())
-        print(std::to_string(count) + " pictures: " +
-              (sweep.video ? command.output : sweep.file(0).string() + " to " + sweep.file(count - 1).string()) + "\n");
+        print(pictures_written(command.output, count, sweep.plan.columns()) + "\n");
     return noted;
 }
 

@@ -47,12 +47,13 @@ std::string Verdict::line() const {
     const std::string more = " by more than " + std::to_string(tolerance.channel) + " of 255";
     const std::string channels = counted(d.pixels_beyond, d.share_beyond, !tolerance.perceived) + " are off" + more;
     const std::string seen = counted(d.seen_beyond, d.share_seen, tolerance.perceived) + " look off" + more + ", and " +
-                             std::to_string(d.edges_forgiven) + " that smooth an edge are forgiven";
+                             std::to_string(d.edges_forgiven) + " that smooth an edge " +
+                             (tolerance.perceived ? "are" : "would be") + " forgiven";
     return (tolerance.perceived ? seen + "; " + channels : channels) + "; most " + std::to_string(d.worst_by) + " at " +
            std::to_string(d.worst.x) + "," + std::to_string(d.worst.y) + "; most by channel" +
            by_channel(d.most, [](int v) { return std::to_string(v); }) + ", mean" +
            by_channel(d.mean, [](double v) { return with_decimals(v, 4); }) +
-           (tolerance.perceived || !d.looked_at ? "" : "; " + seen);
+           (tolerance.perceived || !d.looked_at ? "" : "; with --perceptual " + seen);
 }
 
 Json Verdict::json() const {

@@ -231,6 +231,18 @@ class LessonsTest(CommandTest):
         self.assertEqual((folder / "01.png").read_bytes(), before)
         self.assert_fails(3, "slides", LESSONS[1].stem, "-o", folder / "01.png", says=("is a file",))
 
+    def test_slides_that_were_cancelled_leave_nothing(self):
+        folder = self.folder / "slides"
+        child = subprocess.Popen([NORMALSCOPE, "slides", LESSONS[0].stem, "-o", folder, "--size", "1920x1080"], stderr=subprocess.PIPE)
+        while not list(folder.glob("*/01.png")):
+            self.assertIsNone(child.poll())
+            time.sleep(0.01)
+        child.send_signal(signal.SIGINT)
+        _, said = child.communicate(timeout=60)
+        self.assertEqual((child.returncode, list(folder.iterdir())), (130, []))
+        self.assertEqual(said.decode().splitlines()[-1], "normalscope: cancelled; no slides were written")
+        self.assert_done("slides", LESSONS[0].stem, "-o", folder, "--size", "160x90")
+
     def live(self, page, *arguments):
         """A live handout by an installed program, with this text as the program's page."""
         program, share = self.folder / "bin/normalscope", self.folder / "share/normalscope"

@@ -70,6 +70,11 @@ class SweepTest(CommandTest):
         self.assert_fails(3, "sweep", "--vary", "camera.azimuth=0:9:2", "-o", self.folder / "v.gif", env={"PATH": "/none"},
                           says=("v.gif", "install the package ffmpeg", "frame-%03d.png"))
 
+    def test_a_number_may_stand_in_a_folders_name(self):
+        self.assertEqual(self.assert_done("sweep", "--vary", "camera.azimuth=0:9:2", "-o", self.folder / "turn-%d" / "a.png", *SMALL).decode(),
+                         f"2 pictures: {self.folder}/turn-0/a.png to {self.folder}/turn-1/a.png\n")
+        self.assertEqual([p.name for p in sorted(self.folder.glob("*/*"))], ["a.png", "a.png"])
+
     def test_a_cancel_leaves_whole_pictures_only(self):
         for jobs, number in (("1", signal.SIGHUP), ("2", signal.SIGINT)):
             out = self.folder / jobs

@@ -15,6 +15,10 @@ std::string alternatives(std::span<const std::string> words) {
     return joined(words.first(words.size() - 1)) + " or " + words.back();
 }
 
+std::string counted(std::size_t count, std::string_view one) {
+    return std::to_string(count) + " " + std::string(one) + (count == 1 ? "" : "s");
+}
+
 std::string in_small_letters(std::string text) {
     std::ranges::transform(text, text.begin(),
                            [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });

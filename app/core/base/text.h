@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +13,9 @@ std::string joined(std::span<const std::string> words, std::string_view between 
 
 /// "one, two or three"
 std::string alternatives(std::span<const std::string> words);
+
+/// "1 picture", "2 pictures"
+std::string counted(std::size_t count, std::string_view one);
 
 /// The letters A to Z made small; all else, other scripts too, stays.
 std::string in_small_letters(std::string text);

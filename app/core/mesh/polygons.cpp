@@ -2,6 +2,7 @@
 
 #include "core/base/beside.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "core/mesh/closed_mesh.h"
 
 #include <glm/common.hpp>
@@ -18,11 +19,6 @@ namespace {
 
 constexpr double kLargestCoordinate = 1e30;  // its square and cube are still far from overflow
 constexpr std::uint32_t kUnset = std::numeric_limits<std::uint32_t>::max();
-
-// "1 face", "2 faces".
-std::string counted(std::size_t n, const std::string& noun) {
-    return std::to_string(n) + " " + noun + (n == 1 ? "" : "s");
-}
 
 void check_positions(const Polygons& polygons, const std::string& file) {
     for (std::size_t i = 0; i < polygons.positions.size(); ++i) {
