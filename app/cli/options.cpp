@@ -177,11 +177,10 @@ std::string name_of(const CLI::Option& option) {
 // Such as a script's variable that is not set. What an empty FILE means is said by who opens it.
 void refuse_empty_values(const CLI::App& app) {
     for (const CLI::Option* option : app.get_options()) {
-        const bool needed = option->get_required();
-        if ((option->get_positional() && !needed) || std::ranges::none_of(option->results(), &std::string::empty))
-            continue;
-        throw UsageError(name_of(*option) + ": its value is empty" +
-                         (needed ? "" : "; give one, or leave the option out"));
+        if (option->get_positional() && !option->get_required()) continue;
+        if (std::ranges::none_of(option->results(), &std::string::empty)) continue;
+        const std::string word = option->get_type_name();
+        throw UsageError(name_of(*option) + ": its value is empty" + (word.empty() ? "" : "; expected " + word));
     }
 }
 
@@ -231,12 +230,12 @@ Command parse_command_line(int argc, const char* const* argv) {
     const Declared& command = chosen();
     refuse_extras(root);
     refuse_extras(*command.app);
-    refuse_empty_values(*command.app);
     if (command.app != &root)
         for (const CLI::Option* option : root.get_options())
             if (option->count() > 0)
                 throw UsageError(option->get_name() + ": belongs after the command, as in " + usage_line(*command.app));
-    Command made = command.make();
+    Command made = command.make();  // first, since it knows what is expected
+    refuse_empty_values(*command.app);
     if (const ViewCommand* v = std::get_if<ViewCommand>(&made); v && v->file) refuse_misspelt_command(root, *v->file);
     return made;
 }

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/frame/picture_scale.h"
+#include "core/lessons/open.h"
 #include "core/picture/make_frame.h"
 
 #include <glm/vector_relational.hpp>

@@ -99,7 +99,7 @@ class LessonsTest(CommandTest):
         out = self.folder / "out.png"
         self.assert_fails(3, "capture", file, "-o", out, says=("mine.json, line 10, step 2", "scene.colour: unknown key"))
         self.assert_fails(3, "capture", f"{LESSONS[0].stem}#99", "-o", out, says=("steps 1 to",))
-        self.assert_fails(3, "handout", "none", "-o", out, says=(LESSONS[0].stem,))
+        self.assert_fails(3, "handout", "none", "-o", self.folder / "out.html", says=(LESSONS[0].stem,))
         self.assert_fails(2, "handout", LESSONS[0].stem, says=("--output",))
         self.assertFalse(out.exists())
 

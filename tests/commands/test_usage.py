@@ -40,6 +40,21 @@ class UsageTest(CommandTest):
         self.assert_fails(2, "capture", "-o", "", says="--output")
         self.capture_fails("--numbers", "", says="--numbers")
 
+    def test_an_empty_value(self):
+        for option in ("--scale", "--tab", "--set", "--expect"):
+            self.capture_fails(option, "", says=option)
+        self.assert_fails(2, "check", "checks.json", "--only", "", says="--only")
+        self.assert_fails(2, "check", "", says="MANIFEST")
+        self.assert_fails(2, "lessons", "--lessons", "", says="--lessons")
+
+    def test_a_name_that_says_another_kind_of_file(self):
+        for name in ("a.jpg", "a.pdf", "a.html", "a.JSON"):
+            self.assert_fails(2, "capture", "-o", name, says=(name, ".png"))
+        for name in ("a.png", "a.pdf", "a.xml"):
+            self.assert_fails(2, "handout", "all", "-o", name, says=(name, ".html"))
+        self.assert_fails(2, "quiz", "all", "-o", "a.html", says=("a.html", ".xml"))
+        self.capture_fails("--numbers", "n.svg", says=("n.svg", ".json"))
+
     def test_what_is_missing(self):
         self.assert_fails(2, "capture", says=("--output", "capture [OPTIONS] -o OUT.png"))
         self.assert_fails(2, "capture", "split", says="--output")
