@@ -29,10 +29,7 @@ public:
         connect();
     }
     ~Desktop() override {
-        settings_.place = window_.place();
-        settings_.remembered = viewer_.remembered();
-        settings_.monitor = window_.chosen_monitor();
-        save_settings(settings_);
+        save();
     }
     Desktop(const Desktop&) = delete;
     Desktop& operator=(const Desktop&) = delete;
@@ -43,6 +40,8 @@ public:
             wait(viewer_.due());
             window_.watch_place();
             viewer_.step();
+            // How far a course has come is not lost with what ends the program.
+            if (remembered_text(viewer_.remembered()) != saved_) save();
         }
     }
 
@@ -87,6 +86,14 @@ private:
             glfwWaitEvents();
     }
 
+    void save() {
+        settings_.place = window_.place();
+        settings_.remembered = viewer_.remembered();
+        settings_.monitor = window_.chosen_monitor();
+        saved_ = remembered_text(settings_.remembered);
+        save_settings(settings_);
+    }
+
     Remembered remembered() {
         Remembered remembered = settings_.remembered;
         remembered.unsaved = recovery_.left_behind();
@@ -94,6 +101,7 @@ private:
     }
 
     Settings settings_ = load_settings();
+    std::string saved_ = remembered_text(settings_.remembered);
     Recovery recovery_{settings_folder()};
     Window window_{"Normalscope", settings_.place};
     struct Current {  // before everything that needs GL

@@ -119,10 +119,10 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     advance(s.stack.player, scene);
     const bool help = s.help;
     draw_help(s.look, frame.rect, s.help);
-    const bool asks = s.asks();  // Escape is theirs, also where it has closed them
+    const bool asks = s.asks();  // Escape is theirs, also where it has closed them; and an open menu's
     s.dialog.draw(s.look, s.letters, requests);
     s.question.draw(s.look, requests);
-    if (!help && !asks && !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGuiKey_Escape, false) &&
+    if (!help && !asks && !s.menu_open && !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGuiKey_Escape, false) &&
         !s.messages.dismiss()) {
         s.leave_one_thing(scene, requests);
     }
@@ -142,6 +142,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     s.messages.draw(s.look, frame);
     s.lecture.draw_screen(s.look, ImGui::GetTime() - s.pointer_rested > kPointerShown);
     s.watch_the_clock();
+    s.menu_open = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
     return requests;
 }
 
@@ -219,7 +220,7 @@ void Interface::record_lesson(const std::shared_ptr<const Lesson>& lesson, const
 }
 bool Interface::keys_are_free() const {
     const ImGuiIO& io = ImGui::GetIO();
-    return !io.WantTextInput && !io.NavVisible && !ImGui::IsAnyItemActive() && !state_->asks();
+    return !io.WantTextInput && !io.NavVisible && !ImGui::IsAnyItemActive() && !state_->asks() && !state_->menu_open;
 }
 
 void Interface::edit_formula(Scene& scene) {

@@ -89,8 +89,11 @@ Arrangement InterfaceState::arrangement(glm::ivec2 framebuffer) const {
 
 void InterfaceState::draw_strip(Scene& scene, const Frame& frame, const Status& status, Requests& requests) {
     const bool about = !scene.about.empty() && status.as_named;
+    const bool stopped = scene.stack_position && !stack.player.playing;
     switch (draw_scene_strip(look,
-                             {.sentence = about ? scene.about : said_of_m(scene),
+                             {.sentence = stopped ? "Stopped on the way to M: " + how_far(scene)
+                                          : about ? scene.about
+                                                  : said_of_m(scene),
                               .plays = !scene.stack.empty(),
                               .playing = stack.player.playing},
                              frame.rect)) {

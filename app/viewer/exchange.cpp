@@ -71,19 +71,22 @@ void Viewer::ask_to_save(const std::vector<Work>& works) {
 }
 
 void Viewer::offer() {
+    unanswered_ = true;
     keep({});
     const std::string which = offered_.size() > 1 ? "scenes" : offered_.front().draft.lesson ? "lesson" : "scene";
     gui_.interface.ask(Asked::Recovering, "Go back to the " + which + " of last time?",
                        offered_.size() > 1
                            ? "The program ended before they were saved. Ctrl+Z goes from one to the next."
                            : "The program ended before it was saved.",
-                       {"Go back", "No"});
+                       {"Go back", "Discard", "Not now"});
 }
 
 void Viewer::obey(const Reply& reply) {
     if (reply.asked == Asked::Recovering) {
+        unanswered_ = false;
+        if (reply.choice == 2) return;  // kept until the next start
         const std::vector<UnsavedWork> offered = std::exchange(offered_, {});
-        if (reply.choice != 0) return;
+        if (reply.choice == 1) return;
         for (const UnsavedWork& work : offered)
             if (can_be_drawn(work.scene))
                 document_.recover(work), follow_draft();
@@ -92,7 +95,7 @@ void Viewer::obey(const Reply& reply) {
         return;
     }
     if (reply.choice == 2) {
-        if (!offered_.empty()) offer();  // this is still to be answered
+        if (unanswered_) offer();  // this is still to be answered
         return;
     }
     closes_when_saved_ = reply.choice == 0;

@@ -161,6 +161,7 @@ void Viewer::commit_if_finished() {
 
 void Viewer::undo(Direction direction) {
     if (exercising()) return;
+    gui_.interface.finish_playing(document_.scene);  // where it happens to be is nothing that anybody did
     commit();
     const bool redo = direction == Direction::Redo;
     int steps = 0;

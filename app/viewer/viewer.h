@@ -142,7 +142,7 @@ private:
     /// What the user has finished doing becomes one step to undo.
     void commit_if_finished();
     void commit() {
-        if (!exercising()) document_.commit();
+        if (!exercising() && !gui_.interface.playing()) document_.commit();
     }
     enum class Direction { Undo, Redo };
     /// To the next state that can be drawn.
@@ -204,6 +204,7 @@ private:
     std::vector<UnsavedWork> kept_;  ///< by the host
     bool closes_when_saved_ = false;
     std::vector<UnsavedWork> offered_;
+    bool unanswered_ = false;  // whether to go back to them
     std::optional<Frame> frame_;
     Pointer pointer_;
     glm::dvec2 pointer_at_{0.0};

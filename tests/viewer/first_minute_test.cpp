@@ -72,6 +72,27 @@ TEST_F(FirstMinuteTest, PlayLetsTheTransformHappenAgain) {
     EXPECT_EQ(scene(), before);
 }
 
+TEST_F(FirstMinuteTest, UndoWhileItPlaysUndoesWhatWasDoneBefore) {
+    start();
+    const Scene before = scene();
+    key(ImGuiKey_C);
+    const Scene done = scene();
+    for (const bool another : {false, true}) {
+        point(middle(strip("##play")));
+        press();
+        viewer().release(0, 0);
+        viewer().step();
+        host_.time += 0.05;
+        viewer().step();
+        EXPECT_TRUE(scene().stack_position);
+        if (another) viewer().press({ImGuiKey_T});
+        viewer().press({ImGuiKey_Z, ImGuiMod_Ctrl});
+        settle();
+        EXPECT_EQ(scene(), another ? done : before);
+        key(ImGuiMod_Ctrl | ImGuiKey_Y);
+    }
+}
+
 TEST_F(FirstMinuteTest, WhyOpensTheLineAtStake) {
     Scene both = light();
     both.view = ViewMode::Overlay;

@@ -241,6 +241,17 @@ TEST_F(LessonsTest, TheMenuListsWhatThereIsByNow) {
     EXPECT_EQ(named(), "late.json");
 }
 
+TEST_F(LessonsTest, KeysAreAMenusWhileItIsOpen) {
+    start_lesson(kLesson);
+    click(Item("##panel/##always") / "Learn");
+    key(ImGuiKey_PageDown);
+    EXPECT_EQ(step(), 0u);
+    key(ImGuiKey_Escape);
+    EXPECT_FALSE(asked()) << "that closed the menu";
+    key(ImGuiKey_Escape);
+    EXPECT_TRUE(asked());
+}
+
 TEST_F(LessonsTest, Presenting) {
     start();
     const Scene before = scene();

@@ -347,7 +347,10 @@ TEST_F(WorkTest, WhatIsOfferedHasItsNameAndIsKeptUntilItIsAnswered) {
     expect_undo({light(), light("shear"), left});
 
     start(light(), "", remembered);
-    keys({ImGuiKey_Escape});
+    keys({ImGuiKey_Escape, ImGuiKey_C});
+    EXPECT_EQ(kept_files(), (std::vector<std::string>{"", path("s.json"), ""})) << "not now: the next start asks again";
+    start(light(), "", remembered);
+    click(Item("##question") / "Discard");
     EXPECT_EQ(host_.kept, "");
 }
 

@@ -27,9 +27,12 @@ double eased(double time) {
     return whole + t * t * (3.0 - 2.0 * t);
 }
 
-// What the slider's place means, in words.
-std::string said(const Scene& scene, double position) {
-    const std::size_t count = scene.stack.size(), whole = std::min(static_cast<std::size_t>(position), count);
+}  // namespace
+
+std::string how_far(const Scene& scene) {
+    const std::size_t count = scene.stack.size();
+    const double position = std::min(scene.stack_position.value_or(1e9), static_cast<double>(count));
+    const std::size_t whole = std::min(static_cast<std::size_t>(position), count);
     if (count == 0) return "No transform: M = I.";
     if (whole == count) return count == 1 ? "The whole stack acts." : "All " + std::to_string(count) + " entries act.";
     const double part = position - static_cast<double>(whole);
@@ -39,8 +42,6 @@ std::string said(const Scene& scene, double position) {
     return std::to_string(static_cast<int>(std::lround(100.0 * part))) + " % of " + named(whole) +
            (whole == 0 ? "." : ", after " + named(whole - 1) + ".");
 }
-
-}  // namespace
 
 void toggle(StackPlayer& player, Scene& scene) {
     player.playing = !player.playing && !scene.stack.empty();
@@ -73,8 +74,8 @@ void advance(StackPlayer& player, Scene& scene) {
 
 namespace {
 
-// What steps through the stack, and the slider; gives the place where that stands.
-double controls(const Look& look, Scene& scene, StackPlayer& player) {
+// What steps through the stack, and the slider.
+void controls(const Look& look, Scene& scene, StackPlayer& player) {
     const auto count = static_cast<double>(scene.stack.size());
     double position = std::min(scene.stack_position.value_or(count), count);
     const bool any = !scene.stack.empty();
@@ -109,17 +110,14 @@ double controls(const Look& look, Scene& scene, StackPlayer& player) {
         player.playing = false;
     }
     ImGui::EndDisabled();
-    return position;
 }
 
 }  // namespace
 
 void player_controls(const Look& look, Scene& scene, StackPlayer& player) {
-    const auto count = static_cast<double>(scene.stack.size());
-    const double position =
-        look.still ? std::min(scene.stack_position.value_or(count), count) : controls(look, scene, player);
+    if (!look.still) controls(look, scene, player);
     ImGui::PushFont(look.fonts.small);
-    dim_text(look, said(scene, position));
+    dim_text(look, how_far(scene));
     ImGui::PopFont();
 }
 

@@ -3,6 +3,8 @@
 #include "core/scene/scene.h"
 #include "ui/kit/style.h"
 
+#include <string>
+
 namespace normalscope {
 
 /// Plays the stack from nothing to all of it.
@@ -16,6 +18,9 @@ struct StackPlayer {
 void toggle(StackPlayer& player, Scene& scene);
 /// Ends it at once, with all of the stack.
 void finish(StackPlayer& player, Scene& scene);
+
+/// What of the stack acts, in words.
+std::string how_far(const Scene& scene);
 
 /// One frame onward, where it is playing.
 void advance(StackPlayer& player, Scene& scene);
