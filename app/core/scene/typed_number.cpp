@@ -23,7 +23,8 @@ std::optional<double> typed_number(std::string_view text) {
     try {
         formulas::Graph graph;
         const formulas::Id root = formulas::parse(graph, plain);
-        if (!formulas::parameters_of(graph, root).empty()) return std::nullopt;
+        for (formulas::Id id = 0; id < graph.size(); ++id)  // in 0 x, too, of which nothing is left
+            if (graph[id].op == formulas::Op::Variable || graph[id].op == formulas::Op::Parameter) return std::nullopt;
         const formulas::Program program = formulas::compile(graph, root, formulas::Parameters{});
         if (program.empty() || program.back().varies) return std::nullopt;
         return if_finite(formulas::value(program, glm::dvec3(0.0)));

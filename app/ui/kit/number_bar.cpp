@@ -137,6 +137,10 @@ bool number_bar(const Look& look, const char* id, double& value, const NumberBar
     if (typing) {
         read_typed(look, field, value, bar, before_typing);
         changed = value != before;
+        // Dear ImGui selects a word, of which 2.00 has two.
+        if (ImGuiInputTextState* state = ImGui::GetInputTextState(field);
+            state && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+            state->SelectAll();
     } else if (ImGui::TempInputIsActive(field)) {
         before_typing = before;
     }

@@ -60,6 +60,7 @@ TEST(FormulaParse, Precedence) {
              {"2|x|", "2*abs(x)"},
              {"min(x,y,z)", "min(min(x,y),z)"},
              {"x² + y⁻¹·2", "x^2+2/y"},
+             {"½x² + 2¼y", "x^2/2+9/4*y"},
              {"x × y − z ÷ 2", "x*y-z/2"},
              {"x**2", "x^2"},
              {"π", "pi"},

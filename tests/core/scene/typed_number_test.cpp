@@ -23,13 +23,15 @@ TEST(TypedNumber, IsReadAsPeopleTypeIt) {
                                       {"30°", 30.0},
                                       {"sqrt(3)/2", std::sqrt(3.0) / 2},
                                       {".25", 0.25},
-                                      {"+2", 2.0}})
+                                      {"+2", 2.0},
+                                      {"½", 0.5},
+                                      {"−2¾", -2.75}})
         EXPECT_EQ(typed_number(text), value) << text;
 }
 
 TEST(TypedNumber, IsNothingElse) {
     for (const char* text :
-         {"", "nan", "inf", "1e999", "1/", "1/0", "x", "2a", "1,2,3", "one", "sqrt(-1)", "1 = 2 =", "--"})
+         {"", "nan", "inf", "1e999", "1/", "1/0", "x", "2a", "0x", "0.abc", "x-x", "1,2,3", "one", "sqrt(-1)", "1 = 2 =", "--"})
         EXPECT_EQ(typed_number(text), std::nullopt) << text;
 }
 
