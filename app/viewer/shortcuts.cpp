@@ -1,4 +1,5 @@
 #include "core/frame/drawn_arrows.h"
+#include "core/picture/framing.h"
 #include "core/picture/picking.h"
 #include "viewer/lecture_keys.h"
 #include "viewer/scene_keys.h"
@@ -84,8 +85,10 @@ void Viewer::shortcut(const KeyPress& key) {
         case ImGuiKey_Tab:
         case ImGuiKey_H: gui_.interface.toggle_panel(); break;
         case ImGuiKey_F:
-            if (const auto ball = surface_ball())
-                document_.scene.camera = framed(document_.scene.camera, ball->centre, ball->radius);
+            if (const auto ball = surface_ball()) {
+                document_.scene.camera.target = Point<World>{ball->centre};
+                document_.scene.camera.zoom = framing_zoom(document_.scene, *frame_->surface);
+            }
             break;
         default: break;
     }

@@ -8,7 +8,7 @@ namespace normalscope {
 namespace {
 
 constexpr double kBeyond = 1.15;  // of the extent: outside the object, yet within the picture
-constexpr double kLeast = 0.4;    // of a flat object, lest the knobs crowd together
+constexpr double kLeast = 0.4;    // of the largest extent, for a flat object: lest the knobs crowd together
 
 auto first_scale(const std::vector<StackEntry>& stack) {
     return std::ranges::find_if(stack, [](const StackEntry& e) { return std::holds_alternative<Scale>(e); });
@@ -22,10 +22,11 @@ std::vector<AxisHandle> axis_handles(const Scene& scene, const glm::dvec3& exten
     const bool any = scale != scene.stack.end();
     const glm::dvec3 factors = any ? std::get<Scale>(*scale).factors : glm::dvec3(1.0);
     const Transform<World, Object> after(product({any ? scale + 1 : scene.stack.begin(), scene.stack.end()}));
+    const double largest = std::max({extent.x, extent.y, extent.z}), least = kLeast * (largest > 0.0 ? largest : 1.0);
     std::vector<AxisHandle> handles;
     for (int axis = 0; axis < 3; ++axis) {
         Vector<Object> direction;
-        direction.xyz[axis] = std::max(kBeyond * extent[axis], kLeast);
+        direction.xyz[axis] = std::max(kBeyond * extent[axis], least);
         AxisHandle handle{axis, after(Point<Object>{}), after(Point<Object>{}, direction), factors[axis]};
         // An M that is not affine takes the knob elsewhere along the axis.
         if (const Point<Object> knob{factors[axis] * direction.xyz};

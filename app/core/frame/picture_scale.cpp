@@ -9,7 +9,8 @@ namespace normalscope {
 
 namespace {
 
-constexpr double kOrdinary = 8.0;  ///< an object's radius, or what it is divided by, up to which a unit is one
+// An object's radius up to which a unit is one, and by what that is divided: what is small would soon be lost behind its marks.
+constexpr double kOrdinary = 8.0, kOrdinaryPart = 3.0;
 
 }  // namespace
 
@@ -17,7 +18,8 @@ constexpr double kOrdinary = 8.0;  ///< an object's radius, or what it is divide
 double picture_unit(double radius) {
     if (!(radius > 0.0) || !std::isfinite(radius)) return 1.0;
     const double away = std::max(radius, 1.0 / radius);
-    const double by = away <= kOrdinary ? 1.0 : std::min(away * away / (kOrdinary * kOrdinary), away);
+    const double ordinary = radius > 1.0 ? kOrdinary : kOrdinaryPart;
+    const double by = away <= ordinary ? 1.0 : std::min(away * away / (ordinary * ordinary), away);
     return radius > 1.0 ? by : 1.0 / by;
 }
 

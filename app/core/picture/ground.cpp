@@ -14,11 +14,11 @@ namespace normalscope {
 
 namespace {
 
-// The blob under the object: the shadow of M's image of the unit ball in light from straight above. With A the x and z
+// The blob under the object: the shadow of M's image of a ball in light from straight above. With A the x and z
 // rows of M3, the shadow is the ellipse pᵀ (A Aᵀ)⁻¹ p ≤ 1; Cholesky's A Aᵀ = L Lᵀ turns it into the disc |L⁻¹ p| ≤ 1.
-glm::mat3 shadow_disc(const Transform<World, Object>& any, double unit) {
+glm::mat3 shadow_disc(const Transform<World, Object>& any, double radius, double unit) {
     const Transform<World, Object> m = any.at({});
-    const glm::dmat3& m3 = m.normal_matrices_by_rule().naive;
+    const glm::dmat3 m3 = radius * m.normal_matrices_by_rule().naive;
     const glm::dvec3 x(m3[0].x, m3[1].x, m3[2].x), z(m3[0].z, m3[1].z, m3[2].z);
     const double kSoft = 0.02 * unit * unit;  // keeps the shadow of a flattened object from vanishing
     const double l11 = std::sqrt(glm::dot(x, x) + kSoft), l21 = glm::dot(x, z) / l11;
@@ -46,7 +46,9 @@ float ground_height(const Mesh& mesh, const Transform<World, Object>& m, bool gh
 
 glm::mat3 shadow_from_ground(const Surface& surface, const Transform<World, Object>& world_from_object, double unit) {
     const bool casts_one = !surface.mesh.triangles.empty() || (surface.implicit && surface.implicit->region());
-    if (casts_one) return shadow_disc(world_from_object, unit);
+    // That of the unit ball, which most objects fill more or less; one that is much smaller has a small one.
+    const double largest = std::max({surface.extent.x, surface.extent.y, surface.extent.z});
+    if (casts_one) return shadow_disc(world_from_object, largest > 0.0 ? std::min(2.5 * largest, 1.0) : 1.0, unit);
     return glm::mat3(glm::vec3(0.0f), glm::vec3(0.0f), glm::vec3(100.0f));  // all of the ground lies far outside
 }
 

@@ -70,7 +70,7 @@ TEST(PictureScale, DepthsAreToldApart) {
 }
 
 TEST(PictureScale, ArrowsAndMarksKeepTheirShareOfTheObject) {
-    EXPECT_EQ(picture_unit(0.3), 1.0);
+    EXPECT_EQ(picture_unit(0.4), 1.0);
     EXPECT_EQ(picture_unit(1.0), 1.0);
     EXPECT_EQ(picture_unit(7.0), 1.0);
     EXPECT_NEAR(picture_unit(200.0), 200.0, 1e-9);
