@@ -192,6 +192,15 @@ bool tells_the_rules_apart(const Exercise& e) {
     return off == 0.0 || off >= kClearlyOff;
 }
 
+// Wherever somebody turns the arrow, it stays in the picture, with the word at its tip.
+void make_room(Exercise& e) {
+    constexpr double kArrow = 7.0;  // of the others' length
+    const Transform<World, Object> m = world_from_object(e.scene);
+    const double object = m.normal_matrices_by_rule().sigma.x,
+                 tip = glm::length(m(e.at).xyz) + kArrow * e.scene.arrows.length;
+    e.scene.camera.zoom = std::min(*e.scene.camera.zoom, Camera::kFramedRadius / std::max(1.05 * object, tip));
+}
+
 }  // namespace
 
 Exercise make_exercise(std::uint64_t seed, int number) {
@@ -216,6 +225,7 @@ Exercise make_exercise(std::uint64_t seed, int number) {
         e.scene.probe = e.at;
     }
     transform(e);
+    make_room(e);
     return e;
 }
 

@@ -5,11 +5,13 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace normalscope {
 
@@ -62,6 +64,41 @@ void ExerciseArrow::add_to(Frame& frame, double arrow_length, double pixel_scale
         add_arrow(pane.solids, base, tip - base, radius, glm::vec4(color, 1.0f));
         add_ball(pane.solids, tip, ball, glm::vec4(color, 1.0f));
         add_word(pane, {base, tip}, ball, pixel_scale, {tip, label, color});
+    }
+}
+
+void add_object_in_front(Frame& frame, double pixel_scale) {
+    constexpr double kNearer = 0.25;  // of the way from the eye
+    constexpr int kCorners = 96;
+    for (Pane& pane : frame.panes) {
+        const auto object_normal =
+            std::ranges::find(pane.symbols, Highlight{.symbol = Symbol::NObject}, &SymbolArrow::what);
+        if (object_normal == pane.symbols.end()) continue;
+        const glm::dvec3 eye = pane.view.eye().xyz;
+        const auto nearer = [&](const glm::dvec3& p) { return eye + kNearer * (p - eye); };
+        const glm::dvec3 base = object_normal->base, along = object_normal->vector;
+        const double pixel = pixel_scale * pane.view.world_per_pixel({base});
+        const double radius = ArrowProportions::kOfObject * std::max(0.022 * glm::length(along), 1.7 * pixel);
+        add_arrow(pane.solids, nearer(base), kNearer * along, kNearer * radius, glm::vec4(object_normal->color, 1.0f),
+                  ArrowLook::Hollow, theme_colors(frame.theme).background_top);
+        add_ball(pane.solids, nearer(base), kNearer * 1.8 * radius, glm::vec4(object_normal->color, 1.0f));
+
+        // Where lines from the eye touch the ellipsoid: with it as the unit ball, a circle about the line from the eye to its middle.
+        const glm::dvec3 half = frame.surface->extent, from = eye / half;
+        const double distance = glm::length(from);
+        if (!(distance > 1.0)) continue;
+        const glm::dvec3 way = from / distance;
+        const glm::dvec3 u = glm::normalize(
+            glm::cross(way, std::abs(way.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0)));
+        const glm::dvec3 v = glm::cross(way, u);
+        std::vector<glm::dvec3> outline;
+        for (int i = 0; i < kCorners; ++i) {
+            const double angle = glm::two_pi<double>() * i / kCorners;
+            const glm::dvec3 ring =
+                std::sqrt(1.0 - 1.0 / (distance * distance)) * (std::cos(angle) * u + std::sin(angle) * v);
+            outline.push_back(nearer(half * (way / distance + ring)));
+        }
+        add_tube(pane.solids, outline, kNearer * pixel, glm::vec4(object_normal->color, 1.0f), true);
     }
 }
 

@@ -20,4 +20,8 @@ struct ExerciseArrow {
     void turn(const Frame& frame, double right, double up);
 };
 
+/// The object's outline and its normal at the probe, also where M's image hides them: both are drawn so much nearer to the
+/// eye, and so much smaller, that they look the same and nothing stands before them. For what is as round as an ellipsoid.
+void add_object_in_front(Frame& frame, double pixel_scale);
+
 }  // namespace normalscope

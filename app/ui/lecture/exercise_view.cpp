@@ -59,6 +59,7 @@ void Exercises::show(Scene& scene, const Scene& shown) const {
 void Exercises::add_to(Frame& frame, const Scene& scene, double pixel_scale) const {
     if (!running_ || exercise_.question) return;
     arrow_.add_to(frame, scene.arrows.length, pixel_scale, answered() ? "yours" : "drag");
+    add_object_in_front(frame, pixel_scale);
 }
 
 bool Exercises::grab(const Frame& frame, const Scene& scene, double pixel_scale, glm::dvec2 pixel) {
