@@ -19,6 +19,16 @@ Probe probe_with(Point<Object> point, Normal<Object> normal) {
     return {point, {n}, {Vector<Object>{t0}, Vector<Object>{glm::cross(n, t0)}}};
 }
 
+namespace {
+
+// What a matrix that stretches by `most` leaves of a vector that it should send to zero is but rounding.
+Normal<World> without_rounding(Normal<World> n, double most) {
+    constexpr double kRoundings = 32.0 * std::numeric_limits<double>::epsilon();
+    return glm::length(n.xyz) <= kRoundings * most ? Normal<World>{} : n;
+}
+
+}  // namespace
+
 ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& world_from_object) {
     return in_world(probe, world_from_object, Scene{});
 }
@@ -34,6 +44,7 @@ ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& world_
         const Vector<Object> t = probe.tangents[k];
         result.tangents[k] = mistaken ? Vector<World>{*mistaken * t.xyz} : world_from_object(probe.point, t);
     }
+    const double largest_stretch = world_from_object.at(probe.point).normal_matrices_by_rule().sigma.x;
     for (std::size_t r = 0; r < kRules.size() && probe.has_normal(); ++r) {
         std::optional<Normal<World>> n = transform_normal(world_from_object, probe.normal, kRules[r]);
         const bool bent = kRules[r] == Rule::InverseTranspose && right_power != -1.0;
@@ -41,6 +52,11 @@ ProbeInWorld in_world(const Probe& probe, const Transform<World, Object>& world_
             const std::optional<NormalMap> map = normal_map(scene, world_from_object, kRules[r], right_power);
             n = map ? std::optional((*map)(probe.normal)) : std::nullopt;
         }
+        if (n && kRules[r] == Rule::Naive) n = without_rounding(*n, largest_stretch);
+        if (n && kRules[r] == Rule::Cofactor) n = without_rounding(*n, largest_stretch * largest_stretch);
+        // 0/|0| is not a number.
+        const bool divided = kRules[r] == Rule::Naive && scene.mistake == Mistake::ZeroNormal;
+        if (n && divided && n->xyz == glm::dvec3(0.0)) n.reset();
         result.normals[r] = n;
         if (n) result.dots[r] = std::array{dot(*n, result.tangents[0]), dot(*n, result.tangents[1])};
     }

@@ -178,7 +178,9 @@ void over_the_surface(const Look& look, const Scene& scene, const std::optional<
     std::optional<double> bound;
     try {
         const Transform<World, Object> m = world_from_object(scene);
-        if (m.affine()) bound = m.normal_matrices_by_rule().error_bound_degrees(shown_power(scene));
+        // It says nothing of other mistakes.
+        if (m.affine() && scene.mistake == Mistake::Naive)
+            bound = m.normal_matrices_by_rule().error_bound_degrees(shown_power(scene));
     } catch (const InputError&) {  // said elsewhere
     }
     const auto worst = errors ? std::optional(errors->worst_degrees) : std::nullopt;
