@@ -1,5 +1,4 @@
 #include "core/frame/drawn_arrows.h"
-#include "core/picture/framing.h"
 #include "core/picture/picking.h"
 #include "viewer/lecture_keys.h"
 #include "viewer/scene_keys.h"
@@ -84,12 +83,7 @@ void Viewer::shortcut(const KeyPress& key) {
             break;
         case ImGuiKey_Tab:
         case ImGuiKey_H: gui_.interface.toggle_panel(); break;
-        case ImGuiKey_F:
-            if (const auto ball = surface_ball()) {
-                document_.scene.camera.target = Point<World>{ball->centre};
-                document_.scene.camera.zoom = framing_zoom(document_.scene, *frame_->surface);
-            }
-            break;
+        case ImGuiKey_F: frame_surface(); break;
         default: break;
     }
 }

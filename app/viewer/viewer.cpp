@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/frame/picture_scale.h"
 #include "core/lessons/open.h"
+#include "core/picture/framing.h"
 #include "core/picture/make_frame.h"
 
 #include <glm/vector_relational.hpp>
@@ -86,6 +87,13 @@ std::optional<WorldBall> Viewer::surface_ball() const {
     const double unit = picture_unit(*frame_->surface, world_from_object(document_.scene));
     ball.radius += 2.0 * unit * document_.scene.arrows.length;
     return ball;
+}
+
+void Viewer::frame_surface() {
+    const auto ball = surface_ball();
+    if (!ball) return;
+    document_.scene.camera.target = ball->centre;
+    document_.scene.camera.zoom = framing_zoom(document_.scene, *frame_->surface);
 }
 
 void Viewer::wake() { frames_wanted_ = kFramesAfterEvent; }
@@ -276,8 +284,8 @@ void Viewer::draw() {
 void Viewer::obey(const Requests& requests) {
     wants_room_ = wants_room_ || requests.make_room;
     if (wants_room_ && !surfaces_.making()) {
-        if (const auto ball = surface_ball())
-            document_.scene.camera = with_room_for(document_.scene.camera, ball->centre, ball->radius);
+        if (const auto ball = surface_ball(); ball && !has_room_for(document_.scene.camera, ball->centre, ball->radius))
+            frame_surface();
         wants_room_ = false;
     }
     if (requests.step) commit();

@@ -120,6 +120,8 @@ private:
     void obey(const Requests& requests);
     /// The surface with its arrows; empty where there is none.
     std::optional<WorldBall> surface_ball() const;
+    /// The surface and its axes, ghost and arrows fill the picture.
+    void frame_surface();
     /// The scene as this room should see it: a projector needs contrast.
     Scene shown_scene() const;
     /// How the rules' arrows stand, as long as they swing to their place.

@@ -86,11 +86,10 @@ Camera framed(Camera camera, Point<World> centre, double radius) {
     return camera;
 }
 
-Camera with_room_for(const Camera& camera, Point<World> centre, double radius) {
+bool has_room_for(const Camera& camera, Point<World> centre, double radius) {
     constexpr double kLost = 0.3;  // of the picture
     const double room = camera.reach();
-    const bool fits = glm::distance(camera.target.xyz, centre.xyz) + radius <= room && radius >= kLost * room;
-    return fits ? camera : framed(camera, centre, radius);
+    return glm::distance(camera.target.xyz, centre.xyz) + radius <= room && radius >= kLost * room;
 }
 
 }  // namespace normalscope

@@ -77,7 +77,7 @@ private:
 /// The same camera, moved so that a ball about `centre` fills the picture.
 Camera framed(Camera camera, Point<World> centre, double radius);
 
-/// The same camera where the ball is within the picture, and not lost in it; or else one that is framed.
-Camera with_room_for(const Camera& camera, Point<World> centre, double radius);
+/// Whether a ball is within the picture, and not lost in it.
+bool has_room_for(const Camera& camera, Point<World> centre, double radius);
 
 }  // namespace normalscope
