@@ -105,8 +105,10 @@ private:
         const bool abbreviation = before == '.' || (next == '.' && at + 2 < word.size());
         const bool genitive = before == '\'' || (at >= 3 && word.substr(at - 3, 3) == "’");
         const bool key = next >= '0' && next <= '9';
+        // 2x is a product, but lesson 1b and 3D are not.
+        const bool number = !style_.formula && before >= '0' && before <= '9' && (word[at] < 'x' || word[at] > 'z');
         const bool article = !style_.formula && std::string_view("aAI").find(word[at]) != std::string_view::npos;
-        return !abbreviation && !genitive && !key && !article;
+        return !abbreviation && !genitive && !key && !number && !article;
     }
 
     MathBox box_of(const MathPart& part) const {
