@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace normalscope {
 
@@ -206,6 +207,10 @@ StripRequests CaptionStrip::draw(const Look& look, const Speech& speech, const S
     }
     ImGui::SetCursorScreenPos(origin);
     ImGui::Dummy({1, column.at().y - origin.y});
+    if (said_ != speech) ImGui::SetScrollY(0.0f);
+    said_ = speech;
+    if (std::exchange(explained_, state.answer) != state.answer && state.answer)
+        ImGui::SetScrollFromPosY(column.at().y - ImGui::GetWindowPos().y, 1.0f);
     ImGui::EndChild();
     ImGui::PopStyleVar();
     ImGui::End();
