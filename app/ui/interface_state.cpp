@@ -90,7 +90,7 @@ Arrangement InterfaceState::arrangement(glm::ivec2 framebuffer) const {
 void InterfaceState::draw_strip(Scene& scene, const Frame& frame, const Status& status, Requests& requests) {
     const bool about = !scene.about.empty() && status.as_named;
     switch (draw_scene_strip(look,
-                             {.sentence = about ? scene.about : said_of_m(scene),
+                             {.sentence = about ? said_of(scene).caption : said_of_m(scene),
                               .plays = !scene.stack.empty(),
                               .playing = stack.player.playing},
                              frame.rect)) {
