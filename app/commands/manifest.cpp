@@ -92,7 +92,8 @@ void read_numbers(JsonObject& object, Json& numbers) {
         JsonObject tolerant(value, below(path, key));
         const bool numbers_alone = holds_numbers(tolerant.need("is"));
         if (value.contains("within") && !numbers_alone)
-            throw JsonError(tolerant.at("within"), "is for numbers, and what is expected is none");
+            throw JsonError(tolerant.at("within"),
+                            "is for numbers, and " + shown(tolerant.need("is")) + ", which is expected, is not one");
         double within = 0.0;
         tolerant.read("within", within, Range{0.0, kAnyNumber.high});
         tolerant.no_other_keys();

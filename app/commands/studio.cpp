@@ -47,8 +47,8 @@ float scale_for(const CaptureOptions& options) {
 }
 
 std::string unknown_tab(const std::string& tab) {
-    if (tab.starts_with("derivation#")) return "--tab " + tab + ": its lines are derivation#1 to derivation#12";
-    return "--tab " + tab + ": there is no such tab; known: " + joined(tab_names(), " ");
+    return "--tab " + tab + ": there is no such tab; " + tabs_of_the_derivation() +
+           "; known: " + joined(tab_names(), " ");
 }
 
 // On a terminal it is said what takes so long; where there are many pictures, a bar tells of them.

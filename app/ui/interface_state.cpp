@@ -92,7 +92,7 @@ void InterfaceState::draw_strip(Scene& scene, const Frame& frame, const Status& 
     const bool stopped = scene.stack_position && !stack.player.playing;
     switch (draw_scene_strip(look,
                              {.sentence = stopped ? "Stopped on the way to M: " + how_far(scene)
-                                          : about ? scene.about
+                                          : about ? said_of(scene).caption
                                                   : said_of_m(scene),
                               .plays = !scene.stack.empty(),
                               .playing = stack.player.playing},

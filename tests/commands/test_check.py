@@ -205,7 +205,7 @@ class CheckTest(CommandTest):
                           ({**good, "numbers": {"rank": {"is": 1, "whithin": 1}}}, "whithin: unknown key"),
                           ({**good, "numbers": {"rank": {"is": 1, "within": "1"}}}, "rank.within: expected a number"),
                           ({**good, "numbers": {"rank": {"is": 1, "within": -1}}}, "rank.within: -1"),
-                          ({**good, "numbers": {"context": {"is": "egl", "within": 1}}}, "context.within: is for numbers"),
+                          ({**good, "numbers": {"context": {"is": "egl", "within": 1}}}, "context.within: is for numbers, and \"egl\""),
                           ({**good, "numbers": {"rank": {"is": [], "within": 1}}}, "rank.within: is for numbers"),
                           ({**good, "tolerance": "3"}, "tolerance: expected a number"), ({**good, "share": "0.1"}, "share: expected a number"),
                           ({**good, "samples": "4"}, "samples: expected a number"), ({**good, "scale": "2"}, "scale: expected a number"),

@@ -72,6 +72,18 @@ TEST_F(QuestionsTest, NextRevealsAndGoesOn) {
     }
 }
 
+TEST_F(QuestionsTest, TheExplanationComesIntoView) {
+    host_.size = {800, 575};
+    start(light(), "8-bug-gallery#12");
+    const ImGuiWindow* words = Item("##captions/##words").window();
+    settle();
+    key(ImGuiKey_A);
+    EXPECT_GT(words->ScrollMax.y, 0.0f);
+    EXPECT_EQ(words->Scroll.y, words->ScrollMax.y);
+    key(ImGuiKey_PageUp);
+    EXPECT_EQ(words->Scroll.y, 0.0f);
+}
+
 TEST_F(QuestionsTest, ARemoteControlGoesThroughExercises) {
     start(light(), "exercises:42");
     int questions = 0;

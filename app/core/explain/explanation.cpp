@@ -39,7 +39,8 @@ std::vector<std::string> notes(const Scene& scene, const Transform<World, Object
             return given && given->matrix != matrix(entry);
         }))
         result.emplace_back(
-            "A matrix with the bottom row 0 0 0 s is the same map as that matrix divided by s, since points are "
+            "A matrix whose bottom row is 0 0 0 s, but for rounding, is the same map as that matrix divided by s, "
+            "since points are "
             "divided by their w. It is shown that way.");
     if (!m.affine())
         result.emplace_back(

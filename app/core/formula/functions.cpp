@@ -39,9 +39,10 @@ Id half(Graph& g) { return g.number(Number::ratio(1, 2)); }
 // By exponentials and logarithms, which have derivatives and bounds already.
 Id sinh(Graph& g, Args u) { return g.multiply({half(g), g.subtract(exp(g, u[0]), exp(g, g.negate(u[0])))}); }
 Id cosh(Graph& g, Args u) { return g.multiply({half(g), g.add({exp(g, u[0]), exp(g, g.negate(u[0]))})}); }
-// 1 − 2/(e^(2u) + 1): where e^(2u) overflows it is still 1.
+// 1 − 2/(e^(2u) + 1): where e^(2u) overflows it is still 1, also where u is a constant.
 Id tanh(Graph& g, Args u) {
     const Id sum = g.add({exp(g, g.multiply({g.number(2), u[0]})), g.number(1)});
+    if (g.is_undefined(sum)) return g.number(1);
     return g.subtract(g.number(1), g.divide(g.number(2), sum));
 }
 template <int constant>  // of the square under the root

@@ -291,7 +291,8 @@ private:
     Id called(const Pending& call, const std::vector<Id>& args) {
         Id result = call.function.function->apply(g_, args);
         result = g_.power(result, g_.number(call.function_power));
-        if (g_.is_undefined(result)) throw SyntaxError(call.column, call.function.text + " has no real value here");
+        if (g_.is_undefined(result))
+            throw SyntaxError(call.column, call.function.text + " has no real value here, or one that is too large");
         return result;
     }
 

@@ -180,6 +180,7 @@ struct Frame {
     std::optional<ProbeInWorld> probe;
     std::vector<std::optional<ProbeInWorld>> pinned;  ///< the scene's; empty where a point is not there
     std::optional<SingularPoint> singular;            ///< where the probe stands on one
+    bool fan = false;                                 ///< and more of the normals around it are drawn than two
     std::optional<RaySteps> ray;                      ///< the scene's
     std::vector<std::string> notes;                   ///< on what is drawn: what is not as one may expect
     std::optional<FlatView> flat;                     ///< where the view is flat

@@ -54,7 +54,7 @@ std::string read_tab(const Json& json, const JsonPath& path) {
     const std::string name = words(json, path, kLongestNote);
     const std::string_view plain = without_numbers(name);
     if (std::ranges::find(names, plain) == names.end() && !line_of_tab(plain))
-        fail_kind(path, "one of " + joined(names), json);
+        fail_kind(path, "one of " + joined(names) + " (" + tabs_of_the_derivation() + ")", json);
     return name;
 }
 

@@ -61,8 +61,8 @@ std::optional<std::string_view> scene_text_of(const std::string& name) {
 [[noreturn]] void refuse(const std::string& name) {
     std::error_code ignored;
     if (fs::exists(name, ignored))
-        throw InputError(
-            name, "its ending tells nothing; a scene ends in .json, a mesh in " + mesh_endings_in_words(", ", " or "));
+        throw InputError(name, "not a kind of file that is read; a scene or a lesson ends in .json, a mesh in " +
+                                   mesh_endings_in_words(", ", " or "));
     if (is_formula(name))
         throw InputError(name, "no such file; a formula is given by --set 'surface.formula=" + name + "'");
     const std::vector<std::string> lessons = lesson_names();

@@ -20,6 +20,14 @@ std::string about(const NormalMatrices& m) {
     return "M stretches unevenly: M n is off by up to " + degrees(bound) + ".";
 }
 
+// Lists have no full stops; what is said has one.
+std::string as_sentence(std::string about) {
+    const char last = about.back();
+    const bool word = (last >= 'a' && last <= 'z') || (last >= 'A' && last <= 'Z') || (last >= '0' && last <= '9');
+    if (word || last == ')') about += '.';
+    return about;
+}
+
 }  // namespace
 
 std::string said_of_m(const Scene& scene) {
@@ -29,7 +37,7 @@ std::string said_of_m(const Scene& scene) {
 }
 
 SceneSaid said_of(const Scene& scene) {
-    SceneSaid said{scene.about.empty() ? said_of_m(scene) : scene.about, {}};
+    SceneSaid said{scene.about.empty() ? said_of_m(scene) : as_sentence(scene.about), {}};
     switch (scene.rule) {
         case Rule::Naive: said.equations.push_back("n_naive = " + normal_formula(Rule::Naive, scene)); break;
         case Rule::InverseTranspose: said.equations.emplace_back("n_world = (M₃⁻¹)ᵀ n_obj"); break;

@@ -33,6 +33,12 @@ inline std::vector<std::string> tab_names() {
 /// The check and the last column of M are the last two.
 inline constexpr std::size_t kLinesWithArrows = 10, kDerivationPassages = 12;
 
+/// What else there is to ask of the first of them, for whoever asked for one that there is not.
+inline std::string tabs_of_the_derivation() {
+    return "derivation#1 to derivation#" + std::to_string(kDerivationPassages) +
+           " are at its lines, and derivation:numbers has numbers in the place of names";
+}
+
 /// "derivation:numbers", and "derivation#5:numbers", have numbers in the place of names.
 inline constexpr std::string_view kNumbersInTab = ":numbers";
 inline bool numbers_in_tab(std::string_view tab) {

@@ -288,7 +288,7 @@ Frame make_frame(const Scene& scene, std::shared_ptr<const Surface> surface, con
         if (frame.probe) add_probe_marks(pane, scene, *frame.probe, drawn_arrows(scene, m, pane.rule), options);
         if (frame.probe && options.marks.line) add_derivation_marks(pane, scene, *frame.probe, m, options);
         add_sheet_marks(pane, scene, frame, m, ghost, options);
-        if (frame.singular) add_singular_marks(pane, scene, *frame.singular, m, options);
+        if (frame.singular && add_singular_marks(pane, scene, *frame.singular, m, options)) frame.fan = true;
         if (options.handles) add_knobs(pane, scene, m, options);
         if (frame.ray) add_ray_marks(pane, scene, *frame.ray, m, ghost, options);
         if (scene.show.stretch_axes) add_decomposition_marks(pane, scene, frame.surface->mesh, m, options);

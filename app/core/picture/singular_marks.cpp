@@ -29,13 +29,14 @@ std::vector<glm::dvec3> thinned(const std::vector<std::vector<glm::dvec3>>& curv
 
 }  // namespace
 
-void add_singular_marks(Pane& pane, const Scene& scene, const SingularPoint& singular,
+bool add_singular_marks(Pane& pane, const Scene& scene, const SingularPoint& singular,
                         const Transform<World, Object>& world_from_object, const FrameOptions& options) {
-    if (!scene.show.probe) return;
+    if (!scene.show.probe) return false;
     const Point<World> at = world_from_object(singular.at);
     const double pixel = options.pixel_scale * pane.view.world_per_pixel(at);
     const double length = 0.8 * std::max(4.6 * options.unit * scene.arrows.length, 70.0 * pixel);
     const glm::vec3 ink = theme_colors(scene.theme).text, color = rule_color(pane.rule);
+    std::size_t arrows = 0;
     std::optional<glm::dvec3> lent;  // the tip of the normal that is borrowed
 
     if (const auto map = normal_map(scene, world_from_object, pane.rule)) {
@@ -53,6 +54,7 @@ void add_singular_marks(Pane& pane, const Scene& scene, const SingularPoint& sin
                         {glm::vec3(at.xyz + 0.9 * length * corner), glm::vec3(0.0f), glm::vec4(color, 0.22f)});
         const double radius = std::max(0.010 * options.unit, 1.25 * pixel);
         for (const glm::dvec3& n : thinned(fan)) {
+            ++arrows;
             add_arrow(pane.solids, at.xyz, length * n, radius, glm::vec4(color, 1.0f));
             pane.strokes.push_back({at.xyz, at.xyz + length * n, ArrowProportions::kHeadRadius * radius});
         }
@@ -74,6 +76,7 @@ void add_singular_marks(Pane& pane, const Scene& scene, const SingularPoint& sin
     if (lent) pane.wanted.push_back({*lent, "borrowed normal", color});
     pane.wanted.push_back(
         {beside, singular.undefined ? "no normal here: \u2207f does not exist" : "no normal here: \u2207f = 0", ink});
+    return arrows > 2;
 }
 
 }  // namespace normalscope

@@ -136,6 +136,8 @@ Scene with_setting(const Scene& scene, const Setting& setting) {
     Json* node = &root;
     JsonPath path;  // of `node`
     for (const std::string& key : keys_of(setting.path)) {
+        // As it was given, since a path that ends in nothing cannot be told from a shorter one.
+        if (key.empty()) throw JsonError({setting.path}, "expected keys with a dot between them, as in stack.0.scale");
         path.push_back(key);
         node = &(node->is_array() ? element(*node, path) : member(*node, path));
     }

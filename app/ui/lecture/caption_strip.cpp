@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace normalscope {
 
@@ -27,42 +28,46 @@ private:
 };
 
 // A choice as a button with its letter, which is also its key.
-bool choice_button(const Look& look, const Choice& choice, std::size_t i, bool chosen, ImVec2 at, ImVec2 size) {
+bool choice_button(const Look& look, const Speech& speech, std::size_t i, bool chosen, ImVec2 at, ImVec2 size) {
+    const Choice& choice = speech.question->choices[i];
     ImGui::SetCursorScreenPos(at);
     const ImVec4 mark = !chosen ? look.dim : choice.right ? look.good : look.bad;
     const bool pressed = ImGui::Button(("##choice" + std::to_string(i)).c_str(), size);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (chosen)
         list.AddRect(at, {at.x + size.x, at.y + size.y}, packed(mark), ImGui::GetStyle().FrameRounding, 0, look.px(2));
-    const MathBox box = choice_box(look, choice, size.x);
+    const MathBox box = choice_box(look, speech, choice, size.x);
     const float baseline = std::round(at.y + (size.y - box.height()) / 2 + box.ascent);
     const std::string letter(1, static_cast<char>('A' + i));
-    const ImFont& strong = *look.fonts.strong;
+    const ImFont& strong = speech.to_a_room ? *look.fonts.title : *look.fonts.strong;
     list.AddText(&strong, strong.FontSize, {at.x + look.px(11), std::round(baseline - strong.Ascent)}, packed(mark),
                  letter.c_str());
-    draw_math(list, look, box, {at.x + look.px(30), baseline});
+    draw_math(list, look, box, {at.x + choice_indent(look, speech), baseline});
     return pressed;
 }
 
-void draw_question(const Look& look, const Question& question, const StripState& state, float width, Column& column,
+void draw_question(const Look& look, const Speech& speech, const StripState& state, float width, Column& column,
                    StripRequests& requests) {
-    column.put(note_box(look, question.text, width, Ink::Plain));
-    const std::size_t columns = choice_columns(look, question, width);
+    const Question& question = *speech.question;
+    column.skip(above_question(look, speech));
+    column.put(question_box(look, speech, question.text, width, Ink::Plain));
+    const std::size_t columns = choice_columns(look, speech, width);
     const float each = choice_width(look, columns, width);
     for (std::size_t i = 0; i < question.choices.size(); i += columns) {
         const std::size_t end = std::min(i + columns, question.choices.size());
         float row = 0.0f;
-        for (std::size_t k = i; k < end; ++k) row = std::max(row, choice_box(look, question.choices[k], each).height());
+        for (std::size_t k = i; k < end; ++k)
+            row = std::max(row, choice_box(look, speech, question.choices[k], each).height());
         row += look.px(10);
         for (std::size_t k = i; k < end; ++k) {
             const ImVec2 at{column.at().x + static_cast<float>(k - i) * (each + look.px(kStripGap)), column.at().y};
-            if (choice_button(look, question.choices[k], k, state.answer == k, at, {each, row})) requests.choose = k;
+            if (choice_button(look, speech, k, state.answer == k, at, {each, row})) requests.choose = k;
         }
         column.skip(row + look.px(5));
     }
     if (!state.answer) return;
     const Choice& chosen = question.choices[*state.answer];
-    column.put(note_box(look, verdict(chosen), width, chosen.right ? Ink::Good : Ink::Bad));
+    column.put(question_box(look, speech, verdict(chosen), width, chosen.right ? Ink::Good : Ink::Bad));
 }
 
 float text_button_width(const Look& look, const char* label) {
@@ -201,11 +206,15 @@ StripRequests CaptionStrip::draw(const Look& look, const Speech& speech, const S
     if (!speech.look_at.empty()) column.put(note_box(look, speech.look_at, width, Ink::Dim));
     if (speech.question) {
         ImGui::PushStyleColor(ImGuiCol_Button, state.recorded ? ImVec4{} : ImGui::GetStyleColorVec4(ImGuiCol_Button));
-        draw_question(look, *speech.question, state, width, column, requests);
+        draw_question(look, speech, state, width, column, requests);
         ImGui::PopStyleColor();
     }
     ImGui::SetCursorScreenPos(origin);
     ImGui::Dummy({1, column.at().y - origin.y});
+    if (said_ != speech) ImGui::SetScrollY(0.0f);
+    said_ = speech;
+    if (std::exchange(explained_, state.answer) != state.answer && state.answer)
+        ImGui::SetScrollFromPosY(column.at().y - ImGui::GetWindowPos().y, 1.0f);
     ImGui::EndChild();
     ImGui::PopStyleVar();
     ImGui::End();

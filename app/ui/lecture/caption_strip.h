@@ -55,6 +55,10 @@ private:
         StripPlace place;
     };
     std::optional<Measured> measured_;
+
+    // What is scrolled to: the beginning of what is said, and the end once an answer is explained there.
+    Speech said_;
+    std::optional<std::size_t> explained_;
 };
 
 }  // namespace normalscope

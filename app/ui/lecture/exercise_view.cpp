@@ -149,7 +149,8 @@ StripState Exercises::state() const {
     const std::string number = std::to_string(exercise_.number + 1);
     // What matters first: in a narrow column its end is cut off.
     state.title = "Exercise " + number + "   " + score() + "   set " + std::to_string(exercise_.seed);
-    state.short_title = number + ":  " + std::to_string(points_) + " / " + std::to_string(possible_);
+    state.short_title = "Exercise " + number;
+    if (possible_ > 0) state.short_title += ": " + std::to_string(points_) + " of " + std::to_string(possible_);
     state.answer = answer_;
     state.closes = true;
     if (answered())

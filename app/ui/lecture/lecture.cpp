@@ -176,6 +176,7 @@ Lecture::Said Lecture::said() const {
         said.all.push_back(said_);
         said.count = 1;
     }
+    for (Speech& speech : said.all) speech.to_a_room = presenting || recorded;
     return said;
 }
 
@@ -208,8 +209,12 @@ void Lecture::draw(const Look& look, Scene& scene, const PixelRect& room, const 
     const std::vector<Speech> all = said().all;
     const StripRoom strip = beside(room, picture);
     if (all.empty() || strip.size.x < 1.0f || strip.size.y < 1.0f || !look.fonts.caption) return;
+    const auto in_its_room = [&](const Speech& speech) {
+        return fitted(look, speech, strip.side, strip.size.x,
+                      {static_cast<float>(room.size.x), static_cast<float>(room.size.y)});
+    };
     if (exercises.running()) {
-        exercises.obey(strip_.draw(look, all.front(), exercises.state(), strip), scene);
+        exercises.obey(strip_.draw(look, in_its_room(all.front()), exercises.state(), strip), scene);
         return;
     }
     StripState state;
@@ -231,7 +236,7 @@ void Lecture::draw(const Look& look, Scene& scene, const PixelRect& room, const 
                       {},
                       {},
                       {}};
-    const StripRequests requests = strip_.draw(look, speech, state, strip);
+    const StripRequests requests = strip_.draw(look, in_its_room(speech), state, strip);
     if (!player.running()) {
         return;
     }

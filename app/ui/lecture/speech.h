@@ -17,6 +17,7 @@ struct Speech {
     std::vector<std::string> earlier{};  ///< what stands on the board already
     std::string stands_out{};            ///< the symbol, such as "n_world", whose arrow does; empty: none
     int panes = 1;                       ///< of the picture, side by side
+    bool to_a_room = false;              ///< which votes: its question is as large as the caption, where there is room
     friend bool operator==(const Speech&, const Speech&) = default;
 };
 Speech speech_of(const Lesson& lesson, std::size_t step);

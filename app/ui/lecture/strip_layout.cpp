@@ -50,25 +50,27 @@ MathBox earlier_row(const Look& look, std::string_view text, float width) {
 
 float height_of(const Look& look, const MathBox& box) { return box.height() + look.px(kStripGap); }
 
-float question_height(const Look& look, const Question& question, float width) {
-    float height = height_of(look, note_box(look, question.text, width, Ink::Plain)), because = 0.0f;
-    const std::size_t columns = choice_columns(look, question, width);
+float question_height(const Look& look, const Speech& speech, float width) {
+    const Question& question = *speech.question;
+    float height = above_question(look, speech), because = 0.0f;
+    height += height_of(look, question_box(look, speech, question.text, width, Ink::Plain));
+    const std::size_t columns = choice_columns(look, speech, width);
     const float each = choice_width(look, columns, width);
     for (std::size_t i = 0; i < question.choices.size(); i += columns) {
         float row = 0.0f;
         for (std::size_t k = i; k < std::min(i + columns, question.choices.size()); ++k)
-            row = std::max(row, choice_box(look, question.choices[k], each).height());
+            row = std::max(row, choice_box(look, speech, question.choices[k], each).height());
         height += row + look.px(10 + 5);
     }
     for (const Choice& choice : question.choices)
-        because = std::max(because, height_of(look, note_box(look, verdict(choice), width, Ink::Good)));
+        because = std::max(because, height_of(look, question_box(look, speech, verdict(choice), width, Ink::Good)));
     return height + because;
 }
 
 float words_height(const Look& look, const Speech& speech, float width) {
     float height = height_of(look, caption_box(look, speech, width));
     if (!speech.look_at.empty()) height += height_of(look, note_box(look, speech.look_at, width, Ink::Dim));
-    if (speech.question) height += question_height(look, *speech.question, width);
+    if (speech.question) height += question_height(look, speech, width);
     return height;
 }
 
@@ -114,14 +116,23 @@ MathBox note_box(const Look& look, std::string_view text, float width, Ink ink) 
     return paragraph(style_with(look, look.fonts.body, look.fonts.tiny, nullptr), text, width, {.words = ink});
 }
 
-std::size_t choice_columns(const Look& look, const Question& question, float width) {
-    return width >= look.px(kTwoColumns) && question.choices.size() > 2 ? 2 : 1;
+float above_question(const Look& look, const Speech& speech) { return speech.to_a_room ? look.px(kStripGap) : 0.0f; }
+MathBox question_box(const Look& look, const Speech& speech, std::string_view text, float width, Ink ink) {
+    if (!speech.to_a_room) return note_box(look, text, width, ink);
+    return paragraph(style_with(look, look.fonts.caption, look.fonts.small, look.fonts.caption_letters), text, width,
+                     {.words = ink});
+}
+
+std::size_t choice_columns(const Look& look, const Speech& speech, float width) {
+    const float larger = speech.to_a_room ? look.fonts.caption->FontSize / look.fonts.body->FontSize : 1.0f;
+    return width >= larger * look.px(kTwoColumns) && speech.question->choices.size() > 2 ? 2 : 1;
 }
 float choice_width(const Look& look, std::size_t columns, float width) {
     return std::floor((width - static_cast<float>(columns - 1) * look.px(kStripGap)) / static_cast<float>(columns));
 }
-MathBox choice_box(const Look& look, const Choice& choice, float width) {
-    return note_box(look, choice.text, width - look.px(30 + 12), Ink::Plain);
+float choice_indent(const Look& look, const Speech& speech) { return look.px(speech.to_a_room ? 36 : 30); }
+MathBox choice_box(const Look& look, const Speech& speech, const Choice& choice, float width) {
+    return question_box(look, speech, choice.text, width - choice_indent(look, speech) - look.px(12), Ink::Plain);
 }
 std::string verdict(const Choice& choice) { return (choice.right ? "✓  " : "✗  ") + choice.because; }
 
@@ -174,10 +185,19 @@ float strip_height(const Look& look, const Speech& speech, StripPlace::Side side
     return std::ceil(words_height(look, speech, inside) + look.px(4) + gap + board_height(look, speech, inside) + more);
 }
 
+Speech fitted(const Look& look, Speech speech, StripPlace::Side side, float width, ImVec2 room) {
+    const float most = side == StripPlace::Side::Beside ? room.y : std::floor(kLargestShare * room.y);
+    if (speech.to_a_room) speech.to_a_room = strip_height(look, speech, side, width) <= most;
+    return speech;
+}
+
 StripPlace strip_place(const Look& look, std::span<const Speech> lesson, std::span<const Speech> held, ImVec2 room) {
     using enum StripPlace::Side;
     const float most = std::floor(kLargestShare * room.y);
-    const auto below = [&](const Speech& speech) { return std::min(strip_height(look, speech, Below, room.x), most); };
+    const auto height = [&](const Speech& speech, StripPlace::Side side, float width) {
+        return strip_height(look, fitted(look, speech, side, width, room), side, width);
+    };
+    const auto below = [&](const Speech& speech) { return std::min(height(speech, Below, room.x), most); };
     float best = 0.0f;
     for (const Speech& speech : lesson) best += kWorthIt * object_size(speech, room.x, room.y - below(speech));
     StripPlace place;
@@ -188,7 +208,7 @@ StripPlace strip_place(const Look& look, std::span<const Speech> lesson, std::sp
         bool fits = true;
         for (const Speech& speech : lesson) {
             size += object_size(speech, room.x - column, room.y);
-            fits = fits && strip_height(look, speech, Beside, column) <= room.y;
+            fits = fits && height(speech, Beside, column) <= room.y;
         }
         if (fits && size > best) best = size, place = {Beside, column};
     }

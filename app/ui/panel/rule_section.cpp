@@ -34,6 +34,13 @@ constexpr std::array<RuleButton, 3> kButtons{{
      "which a reflection reverses. (C)"},
 }};
 
+constexpr float kBesideLabel = 14.0f;  // at its left and its right in sum
+
+float label_room(const Look& look, const RuleButton& b) {
+    const ImFont& font = *look.fonts.small;
+    return std::ceil(font.CalcTextSizeA(font.FontSize, 1e9f, 0, b.label).x + look.px(kBesideLabel));
+}
+
 // The largest font in which the text fits.
 const ImFont* fitting(const Look& look, std::string_view text, float width) {
     for (const ImFont* font : {look.fonts.title, look.fonts.strong})
@@ -84,7 +91,7 @@ void button(const Look& look, const Scene& scene, const RuleButton& b, bool exis
     centred(fitting(look, mathematics, size.x - look.px(12)), low.y + look.px(18) + look.fonts.title->FontSize / 2, ink,
             mathematics);
     ImGui::PushFont(look.fonts.small);
-    const std::string whole_label = shortened(std::string(label), size.x - look.px(2));
+    const std::string whole_label = shortened(std::string(label), size.x - look.px(kBesideLabel));
     ImGui::PopFont();
     centred(look.fonts.small, low.y + look.px(44) + look.fonts.small->FontSize / 2, chosen ? look.text : look.dim,
             whole_label);
@@ -119,12 +126,14 @@ void rule_buttons(const Scene& scene, const PanelContext& context) {
     const std::size_t count = cofactor_in_sight(scene, context) ? kButtons.size() : kButtons.size() - 1;
     constexpr float kMore = 18.0f, kHeight = 66.0f;
     const float gap = look.px(4), more = look.px(kMore) + look.px(2);
-    const float width = std::floor((ImGui::GetContentRegionAvail().x - more - static_cast<float>(count - 1) * gap) /
-                                   static_cast<float>(count));
+    const float all = ImGui::GetContentRegionAvail().x - more - static_cast<float>(count - 1) * gap;
+    // As wide as each other, but that the inverse transpose has what its long name needs.
+    const float longest = std::max(label_room(look, kButtons[1]), std::floor(all / static_cast<float>(count))),
+                others = std::floor((all - longest) / static_cast<float>(count - 1));
     for (std::size_t i = 0; i < count; ++i) {
         if (i > 0) ImGui::SameLine(0, gap);
         button(look, scene, kButtons[i], kButtons[i].rule != Rule::InverseTranspose || invertible,
-               {width, look.px(kHeight)}, context.requests);
+               {i == 1 ? longest : others, look.px(kHeight)}, context.requests);
     }
     ImGui::SameLine(0, look.px(2));
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + (look.px(kHeight) - look.px(kMore)) / 2);

@@ -63,7 +63,8 @@ void singular_section(Scene& scene, const PanelContext& context) {
            std::string(singular->undefined ? "∇f does not exist" : "∇f = 0") +
                (singular->fan.empty()
                     ? " at the probe, and no sheet of the surface comes near: there is no neighbour to borrow from."
-                    : " at the probe: no single direction is the normal. The fan shows the normals all around."));
+                    : " at the probe: no single direction is the normal.") +
+               (context.frame.fan ? " The fan shows the normals all around." : ""));
     if (singular->fan.empty()) return;
     bool on = scene.borrow.has_value();
     if (ImGui::Checkbox("borrow a neighbour's normal", &on)) {

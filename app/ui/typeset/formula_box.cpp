@@ -14,6 +14,8 @@ namespace {
 
 using Kind = formulas::Piece::Kind;
 
+constexpr std::size_t kMostLinesInside = 6;  // a bracket
+
 // What stands between two possible line breaks.
 struct Chunk {
     MathBox box;
@@ -21,10 +23,51 @@ struct Chunk {
     float gap = 0.0f;   // before it, within a line
 };
 
+FormulaBox in_lines(const MathStyle& style, const std::vector<Chunk>& chunks, float width, std::size_t most_lines) {
+    FormulaBox result;
+    MathBox line;
+    float y = 0.0f, last_descent = 0.0f, last_end = 0.0f;
+    bool first_line = true;
+    const float indent = std::round(0.6f * style.em);
+    const auto end_line = [&] {
+        if (!first_line) y += std::round(last_descent + line.ascent + 0.25f * style.em);
+        last_descent = line.descent;
+        last_end = line.width + (first_line ? 0.0f : indent);
+        result.box.add(line, first_line ? 0.0f : indent, y);
+        if (last_end > width) result.whole = false;
+        first_line = false;
+        line = {};
+    };
+    for (std::size_t i = 0; i < chunks.size();) {
+        // A term as a whole where it fits on a line of its own; or else factor by factor.
+        std::size_t end = i + 1;
+        float wide = chunks[i].box.width;
+        const bool begins_term = i == 0 || chunks[i].term;
+        for (; begins_term && end < chunks.size() && !chunks[end].term; ++end)
+            wide += chunks[end].gap + chunks[end].box.width;
+        if (wide > width - indent) end = i + 1, wide = chunks[i].box.width;
+        const float room = width - (first_line ? 0.0f : indent);
+        if (line.width > 0.0f && line.width + chunks[i].gap + wide > room) {
+            end_line();
+            if (++result.lines > most_lines) {
+                --result.lines;
+                result.whole = false;
+                MathBox dots = written(style, style.script, "…", Ink::Dim);
+                result.box.add(dots, std::min(last_end + indent / 2, width - dots.width), y);
+                return result;
+            }
+        }
+        for (; i < end; ++i) line.append(chunks[i].box, line.width > 0.0f ? chunks[i].gap : 0.0f);
+    }
+    end_line();
+    return result;
+}
+
 // A bracket, fraction, root or exponent that is being filled.
 struct Level {
     Kind opened = Kind::Open;
     int script = 0;              // how deep in exponents
+    float room = 0.0f;           // for what it holds, within a line
     std::vector<MathBox> parts;  // a fraction's numerator; the rows of cases
     std::vector<Chunk> above{};  // a fraction's numerator, where it is too wide for one
     bool compound = false, compound_below = false;
@@ -41,7 +84,7 @@ struct Level {
 // Works on a stack of its own, as whoever writes the pieces does.
 class Setter {
 public:
-    Setter(const MathStyle& style, float width) : style_(style), width_(width) { levels_.emplace_back(); }
+    Setter(const MathStyle& style, float width) : style_(style), width_(width) { levels_.push_back({.room = width}); }
 
     std::vector<Chunk> run(std::span<const formulas::Piece> pieces) {
         for (const formulas::Piece& p : pieces) {
@@ -49,12 +92,14 @@ public:
             put(p);
             last_ = p.kind;
         }
-        whole = pieces.empty() || pieces.back().kind != Kind::Truncated;
         while (levels_.size() > 1) close();
+        if (pieces.empty() || pieces.back().kind != Kind::Truncated) return std::move(levels_.back().row);
+        whole = false;
+        append(written(style_, style_.script, " …", Ink::Dim));
         return std::move(levels_.back().row);
     }
 
-    bool whole = true;
+    bool whole = true, broken_inside = false;
 
 private:
     Level& level() { return levels_.back(); }
@@ -69,6 +114,7 @@ private:
         const ImFont* font = italic ? style.letters : script > 0 ? style.script : style.upright;
         return written(style, font, text, Ink::Plain);
     }
+    MathBox word(const char* text) const { return written(style_, style_.script, text, Ink::Plain); }
     void append(const MathBox& box, float gap = 0.0f) {
         level().last_ascent = box.ascent;
         level().row.back().box.append(box, gap);
@@ -77,7 +123,9 @@ private:
     void next_chunk(bool term, float gap) { level().row.push_back({{}, term, gap}); }
     void open(Kind kind, bool compound = false) {
         const int script = level().script + (kind == Kind::SuperscriptBegin ? 1 : 0);
-        levels_.push_back({.opened = kind, .script = script, .parts = {}, .compound = compound});
+        const float around = kind == Kind::Open ? 1.3f : 0.6f;  // brackets that are high are also wide
+        const float room = level().room - level().row.back().box.width - share(around);
+        levels_.push_back({.opened = kind, .script = script, .room = room, .parts = {}, .compound = compound});
     }
 
     void put(const formulas::Piece& p) {
@@ -104,7 +152,7 @@ private:
             case Kind::FractionOver:
             case Kind::CasesWhere:
             case Kind::CasesElse:
-                level().parts.push_back(level().joined());
+                level().parts.push_back(part_before(p.kind));
                 level().above = std::move(level().row);
                 level().compound_below = p.compound;
                 level().row.assign(1, {});
@@ -141,7 +189,9 @@ private:
     void close() {
         Level done = std::move(levels_.back());
         levels_.pop_back();
-        MathBox inside = done.joined();
+        const bool breaks =
+            done.opened == Kind::Open || done.opened == Kind::AbsBegin || done.opened == Kind::CasesBegin;
+        MathBox inside = breaks ? fitted(done, done.room) : done.joined();
         switch (done.opened) {
             case Kind::Open: return append(parenthesised(style_, inside, Ink::Plain));
             case Kind::AbsBegin: return append(between_bars(inside));
@@ -150,9 +200,29 @@ private:
                     return append_in_line(std::move(done), inside);
                 return append(done.parts.empty() ? inside : fraction_box(pen(), done.parts[0], inside), share(0.06f));
             case Kind::RootBegin: return append(root_box(pen(), inside), share(0.06f));
-            case Kind::CasesBegin: done.parts.push_back(std::move(inside)); return append(cases(done.parts));
+            case Kind::CasesBegin: done.parts.push_back(std::move(inside)); return append(cases(done.parts, done.room));
             default: return raise(inside);
         }
+    }
+
+    MathBox part_before(Kind next) {
+        if (next == Kind::FractionOver) return level().joined();
+        if (next == Kind::CasesWhere) return fitted(level(), level().room);
+        next_chunk(false, share(0.3f));
+        append(word("≤ 0"));
+        return fitted(level(), level().room - share(0.9f) - word("where").width);
+    }
+
+    // What is inside a bracket, over several lines where one has no room for it.
+    MathBox fitted(const Level& inside, float room) {
+        MathBox box = inside.joined();
+        if (box.width <= room || inside.script > 0) return box;
+        broken_inside = true;
+        const FormulaBox lines = in_lines(style_, inside.row, room, kMostLinesInside);
+        whole = whole && lines.whole;
+        MathBox centred;  // what stands beside it is beside its middle
+        centred.add(lines.box, 0.0f, std::round((lines.box.ascent - lines.box.descent) / 2 - axis(style_)));
+        return centred;
     }
 
     // A fraction that is wider than a line: a b c/(d + e), which can be broken.
@@ -187,18 +257,24 @@ private:
         return box;
     }
 
-    // a where c ≤ 0, b elsewhere: parts are a, c, b.
-    MathBox cases(const std::vector<MathBox>& parts) const {
-        const auto word = [&](const char* text) { return written(style_, style_.script, text, Ink::Plain); };
+    // a where c ≤ 0, b elsewhere: parts are a, c ≤ 0, b. What has no room beside its value stands below it.
+    MathBox cases(const std::vector<MathBox>& parts, float room) const {
+        const float gap = share(0.6f);
+        const auto with = [&](MathBox value, const MathBox& when) {
+            if (value.width + gap + when.width <= room)
+                value.append(when, gap);
+            else
+                value.add(when, gap, value.descent + share(0.1f) + when.ascent);
+            return value;
+        };
         std::vector<MathBox> rows(2);
         rows[0] = parts[0];
         if (parts.size() > 1) {
-            rows[0].append(word("where"), share(0.6f));
-            rows[0].append(parts[1], share(0.3f));
-            rows[0].append(word("≤ 0"), share(0.3f));
+            MathBox where = word("where");
+            where.append(parts[1], share(0.3f));
+            rows[0] = with(std::move(rows[0]), where);
         }
-        if (parts.size() > 2) rows[1] = parts[2];
-        rows[1].append(word("elsewhere"), share(0.6f));
+        rows[1] = with(parts.size() > 2 ? parts[2] : MathBox{}, word("elsewhere"));
         MathBox box;
         const float wide = share(0.4f), y = -std::round(0.34f * em()), half = share(0.1f);
         box.add(rows[0], wide + share(0.1f), y - half - rows[0].descent);
@@ -228,44 +304,9 @@ FormulaBox formula_box(const MathStyle& style, std::span<const formulas::Piece> 
                        std::size_t most_lines) {
     Setter setter(style, 0.9f * width);
     const std::vector<Chunk> chunks = setter.run(pieces);
-    FormulaBox result;
-    result.whole = setter.whole;
-    MathBox line;
-    float y = 0.0f, last_descent = 0.0f, last_end = 0.0f;
-    bool first_line = true;
-    const float indent = std::round(0.6f * style.em);
-    const auto end_line = [&] {
-        if (!first_line) y += std::round(last_descent + line.ascent + 0.25f * style.em);
-        last_descent = line.descent;
-        last_end = line.width + (first_line ? 0.0f : indent);
-        result.box.add(line, first_line ? 0.0f : indent, y);
-        if (last_end > width) result.whole = false;
-        first_line = false;
-        line = {};
-    };
-    for (std::size_t i = 0; i < chunks.size();) {
-        // A term as a whole where it fits on a line of its own; or else factor by factor.
-        std::size_t end = i + 1;
-        float wide = chunks[i].box.width;
-        const bool begins_term = i == 0 || chunks[i].term;
-        for (; begins_term && end < chunks.size() && !chunks[end].term; ++end)
-            wide += chunks[end].gap + chunks[end].box.width;
-        if (wide > width - indent) end = i + 1, wide = chunks[i].box.width;
-        const float room = width - (first_line ? 0.0f : indent);
-        if (line.width > 0.0f && line.width + chunks[i].gap + wide > room) {
-            end_line();
-            if (++result.lines > most_lines) {
-                --result.lines;
-                result.whole = false;
-                MathBox dots = written(style, style.script, "…", Ink::Dim);
-                result.box.add(dots, std::min(last_end + indent / 2, width - dots.width), y);
-                return result;
-            }
-        }
-        for (; i < end; ++i) line.append(chunks[i].box, line.width > 0.0f ? chunks[i].gap : 0.0f);
-    }
-    end_line();
-    if (!setter.whole) result.box.add(written(style, style.script, " …", Ink::Dim), last_end, y);
+    FormulaBox result = in_lines(style, chunks, width, most_lines);
+    result.whole = result.whole && setter.whole;
+    result.broken_inside = setter.broken_inside;
     return result;
 }
 

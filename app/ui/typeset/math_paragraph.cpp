@@ -5,6 +5,7 @@
 #include "ui/typeset/math_shapes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -14,12 +15,14 @@ namespace normalscope {
 
 namespace {
 
+constexpr std::array<std::string_view, 13> kOperators{"=", "·", "×", "∘", "+", "−", "→", "⊥", "<", ">", "≤", "≥", "≠"};
+
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 // A word, up to the next space.
 struct Word {
     MathBox box;
-    bool equals = false;  ///< it is an equals sign
+    bool joins = false;  ///< it is an operator, which stands with what is on both sides of it
     bool any = false;
 };
 
@@ -69,7 +72,7 @@ private:
         while (!text.empty()) {
             const auto end = std::min(text.find(' '), text.size());
             if (end > 0) {
-                words_.back().equals = !words_.back().any && text.substr(0, end) == "=";
+                words_.back().joins = !words_.back().any && std::ranges::count(kOperators, text.substr(0, end)) > 0;
                 put(letters(text.substr(0, end)));
             }
             if (end == text.size()) return;
@@ -105,8 +108,10 @@ private:
         const bool abbreviation = before == '.' || (next == '.' && at + 2 < word.size());
         const bool genitive = before == '\'' || (at >= 3 && word.substr(at - 3, 3) == "’");
         const bool key = next >= '0' && next <= '9';
+        // 2x is a product, but lesson 1b and 3D are not.
+        const bool number = !style_.formula && before >= '0' && before <= '9' && (word[at] < 'x' || word[at] > 'z');
         const bool article = !style_.formula && std::string_view("aAI").find(word[at]) != std::string_view::npos;
-        return !abbreviation && !genitive && !key && !article;
+        return !abbreviation && !genitive && !key && !number && !article;
     }
 
     MathBox box_of(const MathPart& part) const {
@@ -192,9 +197,12 @@ MathBox paragraph(const MathStyle& style, std::string_view text, float width, co
         line = {};
     };
     for (std::size_t i = 0; i < words.size();) {
-        // An equation is not broken at its sign.
+        // n · t = 0 is not broken at its signs, as long as a line has room for it.
         MathBox word = words[i].box;
-        for (++i; i < words.size() && (words[i].equals || words[i - 1].equals); ++i) word.append(words[i].box, space);
+        for (++i; i < words.size() && (words[i].joins || words[i - 1].joins); ++i) {
+            if (word.width + space + words[i].box.width > width) break;
+            word.append(words[i].box, space);
+        }
         if (line.width > 0.0f && line.width + space + word.width > width) end_line();
         line.append(word, line.width > 0.0f ? space : 0.0f);
     }

@@ -40,7 +40,8 @@ WrittenFormula lay_out(const Look& look, const std::string& text, float width) {
         bool fits = true;
         for (std::size_t i = 0; i < 4; ++i) {
             result.boxes[i] = formula_box(style, pieces[i], width, kMostLines);
-            fits &= result.boxes[i].whole && result.boxes[i].lines <= (shrink == 1.0f ? 1u : 2u);
+            fits &= result.boxes[i].whole && !result.boxes[i].broken_inside &&
+                    result.boxes[i].lines <= (shrink == 1.0f ? 1u : 2u);
         }
         if (fits) break;
     }

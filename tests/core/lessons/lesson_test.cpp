@@ -10,6 +10,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+
 namespace normalscope {
 namespace {
 
@@ -113,6 +115,23 @@ TEST(Lesson, EquationsStayOnTheBoard) {
     EXPECT_EQ(board(3), (Board{{}, {"3"}}));
     EXPECT_EQ(board(4), (Board{{}, {"3"}}));
     EXPECT_EQ(board(5), Board{});
+}
+
+// Whoever is asked about one surface would take another one's equation for its own.
+TEST(Lesson, NoQuestionStandsAboveWhatIsTrueOfAnotherSurface) {
+    for (const ListedLesson& listed : built_in_lessons()) {
+        const Lesson lesson = built_in_lesson(listed.name);
+        for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+            const auto* asked = std::get_if<FormulaSurface>(&lesson.steps[i].scene.surface);
+            if (!asked || !lesson.steps[i].question) continue;
+            for (const std::string& line : board_at(lesson, i).earlier)
+                for (std::size_t k = 0; k < i; ++k) {
+                    const auto* written = std::get_if<FormulaSurface>(&lesson.steps[k].scene.surface);
+                    const bool here = std::ranges::count(lesson.steps[k].equations, line) > 0;
+                    EXPECT_TRUE(!here || (written && written->formula == asked->formula)) << listed.name << ": " << line;
+                }
+        }
+    }
 }
 
 // People write in any script.

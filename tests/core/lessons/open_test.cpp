@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/lessons/link.h"
+#include "core/lessons/scene_caption.h"
 
 #include <gtest/gtest.h>
 
@@ -58,6 +59,16 @@ TEST_F(OpenTest, SaysWhatIsWrong) {
     EXPECT_NE(message_of(std::string("a\0.json", 7)).find("cannot hold a NUL"), std::string::npos);
     EXPECT_THROW(load_lesson(scene), InputError);
     EXPECT_THROW(load_lesson("split"), InputError);
+}
+
+TEST(SceneCaption, EndsAsASentenceDoes) {
+    for (const BuiltInScene& scene : built_in_scenes())
+        EXPECT_TRUE(said_of(load_scene(scene.name)).caption.ends_with('.')) << scene.name;
+    Scene mine;
+    for (const char* about : {"Look!", "…", "球。"}) {
+        mine.about = about;
+        EXPECT_EQ(said_of(mine).caption, about);
+    }
 }
 
 }  // namespace

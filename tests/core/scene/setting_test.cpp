@@ -60,7 +60,9 @@ TEST(Setting, ErrorsNameThePath) {
              {"about=[", "a bracket or a quote is missing"},
              {"rule.naive=1", "rule.naive"},
              {"stack.1=1", "stack.1"},
-             {"camera..zoom=1", "camera."},
+             {"camera..zoom=1", "camera..zoom"},
+             {".=1", "--set .: expected keys"},
+             {"stack.=1", "--set stack.: expected keys"},
              {"camera.zoom=NaN", "camera.zoom"}}) {
         EXPECT_THROW(with_setting(scene, text), UsageError) << text;
         const std::string message = message_of([&, t = text] { with_setting(scene, t); });

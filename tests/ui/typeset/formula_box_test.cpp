@@ -78,6 +78,26 @@ TEST_F(FormulaBoxTest, BreaksFractionsThatAreWiderThanALine) {
     EXPECT_EQ(signs(one).size() + 1, signs(broken).size());  // the stroke has become a slash
 }
 
+TEST_F(FormulaBoxTest, SetsCasesThatAreWiderThanALineBelowEachOther) {
+    const formulas::Formula f = formulas::read("max(abs(x),abs(y),abs(z))=1");
+    const auto pieces = formulas::pieces(f.graph, f.expressions()[1], 1500);
+    const FormulaBox one = formula_box(style_, pieces, 1e6f, 6), narrow = formula_box(style_, pieces, 280.0f, 6);
+    EXPECT_TRUE(narrow.whole);
+    EXPECT_LE(narrow.box.width, 280.0f);
+    EXPECT_GT(narrow.box.height(), one.box.height());
+    EXPECT_EQ(signs(one), signs(narrow));
+}
+
+TEST_F(FormulaBoxTest, BreaksWithinABracketThatIsWiderThanALine) {
+    const std::string text = "min(x^2 + y^2 + z^2 - 1, (x + y)(y + z)(z + x) - 2, |x - y| - 0.3) + 1";
+    const FormulaBox one = set(text), broken = set(text, 240.0f);
+    EXPECT_FALSE(one.broken_inside);
+    EXPECT_TRUE(broken.broken_inside);
+    EXPECT_TRUE(broken.whole);
+    EXPECT_LE(broken.box.width, 240.0f);
+    EXPECT_EQ(signs(one), signs(broken));
+}
+
 TEST_F(FormulaBoxTest, TakesWhateverCanBeRead) {
     std::string deep = "x", tower = "x";
     for (int i = 0; i < 400; ++i) deep = "sin(" + deep + ")";

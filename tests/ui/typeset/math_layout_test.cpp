@@ -113,6 +113,34 @@ TEST_F(MathLayout, ScriptsAreSmallerAndBesideTheLetter) {
     EXPECT_LT(std::abs(above.at.x - below.at.x), 4.0f);  // above each other, not one after the other
 }
 
+TEST_F(MathLayout, ALetterAfterADigitIsNoNameInASentence) {
+    style_.letters_in_text = style_.letters;
+    const auto slanted = [&](std::string_view words) {
+        std::string letters;
+        for (const MathBox::Text& text : paragraph(style_, words, 1e9f, {}).texts)
+            if (text.font == style_.letters) letters += text.text;
+        return letters;
+    };
+    EXPECT_EQ(slanted("Next lesson: 1b. A normal in 3D, x to 2x"), "xx");
+    style_.formula = true;
+    EXPECT_EQ(slanted("4a²"), "a");
+}
+
+TEST_F(MathLayout, NoLineBreaksAtAnOperator) {
+    style_.letters_in_text = style_.letters;
+    const std::string_view sentence = "Better still, test that n · t = 0, for x² + y² = 1 and every n → n";
+    for (float width = 120.0f; width < 600.0f; width += 7.0f) {
+        const MathBox box = paragraph(style_, sentence, width, {});
+        EXPECT_LE(box.width, width);
+        for (std::size_t i = 1; i + 1 < box.texts.size(); ++i) {
+            const std::string& sign = box.texts[i].text;
+            if (sign != "·" && sign != "=" && sign != "→" && sign != "+") continue;
+            EXPECT_GT(box.texts[i + 1].at.x, box.texts[i].at.x) << sign << " at " << width;
+            EXPECT_LT(box.texts[i - 1].at.x, box.texts[i].at.x) << sign << " at " << width;
+        }
+    }
+}
+
 TEST_F(MathLayout, FindsWhatThePointerIsOn) {
     const Derivation d = derivation_of(kRunningExample);
     for (const Step& step : d.steps)
