@@ -124,8 +124,18 @@ MathBox question_box(const Look& look, const Speech& speech, std::string_view te
 }
 
 std::size_t choice_columns(const Look& look, const Speech& speech, float width) {
-    const float larger = speech.to_a_room ? look.fonts.caption->FontSize / look.fonts.body->FontSize : 1.0f;
-    return width >= larger * look.px(kTwoColumns) && speech.question->choices.size() > 2 ? 2 : 1;
+    const std::vector<Choice>& choices = speech.question->choices;
+    if (width < look.px(kTwoColumns) || choices.size() < 3) return 1;
+    if (!speech.to_a_room) return 2;
+    // Letters of that size are for two columns only where no choice is broken by them.
+    const float each = choice_width(look, 2, width);
+    return std::ranges::all_of(choices,
+                               [&](const Choice& choice) {
+                                   return choice_box(look, speech, choice, 1e9f).width <=
+                                          each - choice_indent(look, speech) - look.px(12);
+                               })
+               ? 2
+               : 1;
 }
 float choice_width(const Look& look, std::size_t columns, float width) {
     return std::floor((width - static_cast<float>(columns - 1) * look.px(kStripGap)) / static_cast<float>(columns));

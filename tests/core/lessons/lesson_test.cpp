@@ -128,7 +128,8 @@ TEST(Lesson, NoQuestionStandsAboveWhatIsTrueOfAnotherSurface) {
                 for (std::size_t k = 0; k < i; ++k) {
                     const auto* written = std::get_if<FormulaSurface>(&lesson.steps[k].scene.surface);
                     const bool here = std::ranges::count(lesson.steps[k].equations, line) > 0;
-                    EXPECT_TRUE(!here || (written && written->formula == asked->formula)) << listed.name << ": " << line;
+                    EXPECT_TRUE(!here || (written && written->formula == asked->formula))
+                        << listed.name << ": " << line;
                 }
         }
     }
