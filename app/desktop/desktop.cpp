@@ -28,9 +28,7 @@ public:
         window_.choose_monitor(settings_.monitor);
         connect();
     }
-    ~Desktop() override {
-        save();
-    }
+    ~Desktop() override { save(); }
     Desktop(const Desktop&) = delete;
     Desktop& operator=(const Desktop&) = delete;
 

@@ -109,7 +109,7 @@ class QuizTest(CommandTest):
         mine = self.file("mine.json", json.dumps({"lesson": "Mine", "steps": [{"caption": "a"}]}))
         self.assert_fails(3, "quiz", mine, "-o", out, says=("mine.json", "asks no question"))
         self.assert_fails(3, "quiz", "none", "-o", out, says=(LESSONS[0].stem, "all", "exercises:SEED"))
-        self.assert_fails(3, "handout", "none", "-o", out, says=(LESSONS[0].stem, "all"))
+        self.assert_fails(3, "handout", "none", "-o", self.folder / "a.html", says=(LESSONS[0].stem, "all"))
         self.assert_fails(3, "quiz", "exercises:x", "-o", out, says="whole number")
         self.assert_fails(2, "quiz", LESSONS[0].stem, says="--output")
         self.assert_fails(2, "quiz", mine, "-o", mine, says=("mine.json",))

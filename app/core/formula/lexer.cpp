@@ -114,7 +114,8 @@ private:
         if (superscript()) return;
         for (const Fraction& f : kFractions)
             if (rest_.starts_with(f.text))
-                return push({.type = TokenType::Number, .number = Number::ratio(f.numerator, f.denominator)}, f.text.size());
+                return push({.type = TokenType::Number, .number = Number::ratio(f.numerator, f.denominator)},
+                            f.text.size());
         const std::size_t length = length_of(rest_);
         if (length == 0) throw SyntaxError(column_, "this is not UTF-8 text; type the formula anew");
         if (length == 1 && static_cast<unsigned char>(rest_[0]) < 0x20)

@@ -155,8 +155,12 @@ public:
         }
         add_ball(pane_.solids, centre_, 1.8 * radius_, glm::vec4(ink_, 1.0f));
         if (by_no_rule_) normal_by_no_rule(*by_no_rule_);
-        for (const Rule rule : kRules)
-            if (const auto n = unit_normal(rule)) arrow(rule, *n);
+        for (const Rule rule : kRules) {
+            if (const auto n = unit_normal(rule))
+                arrow(rule, *n);
+            else if (probe_.normals[rule] && shows(arrow_kind(rule)))
+                named_.push_back({normal_formula(rule, scene_) + " = 0", {}, centre_, rule_color(rule)});
+        }
     }
 
     void errors() {

@@ -30,8 +30,8 @@ TEST(TypedNumber, IsReadAsPeopleTypeIt) {
 }
 
 TEST(TypedNumber, IsNothingElse) {
-    for (const char* text :
-         {"", "nan", "inf", "1e999", "1/", "1/0", "x", "2a", "0x", "0.abc", "x-x", "1,2,3", "one", "sqrt(-1)", "1 = 2 =", "--"})
+    for (const char* text : {"", "nan", "inf", "1e999", "1/", "1/0", "x", "2a", "0x", "0.abc", "x-x", "1,2,3", "one",
+                             "sqrt(-1)", "1 = 2 =", "--"})
         EXPECT_EQ(typed_number(text), std::nullopt) << text;
 }
 
