@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -78,8 +79,8 @@ TEST(SystemFonts, OrTheirLettersAreDrawn) {
     unsigned char* pixels = nullptr;
     int width = 0, height = 0;
     ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
-    const auto x = static_cast<int>(glyph->U0 * static_cast<float>(width) + 0.5f);
-    const auto y = static_cast<int>(glyph->V0 * static_cast<float>(height) + 0.5f);
+    const auto x = static_cast<int>(std::lround(glyph->U0 * static_cast<float>(width)));
+    const auto y = static_cast<int>(std::lround(glyph->V0 * static_cast<float>(height)));
     EXPECT_EQ((std::vector<int>{pixels[y * width + x], pixels[y * width + x + 1]}), (std::vector<int>{7, 77}));
     ImGui::DestroyContext();
 }
