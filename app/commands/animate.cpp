@@ -100,13 +100,13 @@ int run(const AnimateCommand& command) {
         files.writes(named(i), "--output " + named(i).string());
     if (command.subtitles) files.writes(*command.subtitles, "--subtitles " + command.subtitles->string());
 
+    const CancelOnSignal cancel;  // before anything is made that it would have to take away
     std::optional<TemporaryFolder> frames;
     if (video) frames.emplace(command.output);
     const auto file = [&](std::size_t i) { return video ? frames->path() / numbered("%06d.png", i) : named(i); };
     for (std::size_t i = 0; i < (video ? 1 : pictures.size()); ++i) make_folder_for(file(i));
     const CrashLine crash_line;
     Studio studio({.context = command.context, .pictures = pictures.size()});
-    const CancelOnSignal cancel;
     {
         Progress progress(pictures.size());
         Image image;

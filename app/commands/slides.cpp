@@ -72,9 +72,9 @@ int run(const SlidesCommand& command) {
     for (const LessonStep& step : lesson.steps) files.reads_scene(command.lesson, step.scene);
     std::optional<LiveHandout> live;
     if (command.live) live.emplace(files);
+    const CancelOnSignal cancel;  // before anything is made that it would have to take away
     make_empty_folder(command.folder);
     const TemporaryFolder made(command.folder / "index.html");
-    const CancelOnSignal cancel;
     const CrashLine crash_line;
     Studio studio({.context = command.context, .pictures = lesson.steps.size()});
     std::string html = page_head(lesson.title, kSlideStyle, live ? LiveHandout::policy() : "");

@@ -189,6 +189,7 @@ int run(const SweepCommand& command) {
     sweep.options.numbers = command.numbers.has_value();
     refuse_to_overwrite(sweep, base.scene);
 
+    const CancelOnSignal cancel;  // before anything is made that it would have to take away
     std::optional<TemporaryFolder> frames;
     if (sweep.video) {
         sweep.frames = word_for_jobs().value_or("");  // made by the process that started this one
@@ -197,7 +198,6 @@ int run(const SweepCommand& command) {
     }
     for (std::size_t i = 0; i < count; ++i)
         if (i == 0 || sweep.file(i).parent_path() != sweep.file(i - 1).parent_path()) make_folder_for(sweep.file(i));
-    const CancelOnSignal cancel;
     std::optional<CrashLine> crash_line;
     if (command.jobs == 1) crash_line.emplace();  // of other processes run_jobs tells
     if (!draw_all(sweep)) return CancelOnSignal::exit_code();
