@@ -136,8 +136,7 @@ void main() {
                 f_small = max(2.0 * smallest, 0.02 * second);
                 f_end = min(abs(f_low), abs(s[DEGREE]));
                 // Between the first two samples of unlike signs.
-                for (int j = DEGREE - 1; j > 0; --j) {
-                    if (!crosses) break;
+                for (int j = DEGREE - 1; crosses && j > 0; --j) {
                     REAL here = low + width * POINTS[j];
                     bool beyond = s[j] < 0.0 != f_low < 0.0;
                     if (beyond) {

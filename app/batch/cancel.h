@@ -2,9 +2,9 @@
 
 namespace normalscope {
 
-/// While one lives, the first Ctrl+C (or SIGTERM, or SIGHUP of a terminal that is closed) ends nothing by itself: whoever works asks `asked` between two
-/// pictures, and leaves whole files behind. A second one ends the program at once. And where nobody reads standard output
-/// any more, that is an error of writing, and ends nothing.
+/// While one lives, the first Ctrl+C (or SIGTERM, or SIGHUP of a terminal that is closed) ends nothing by itself: whoever
+/// works asks `asked` between two pictures, and leaves whole files behind. A second one ends the program at once. And where
+/// nobody reads standard output any more, that is an error of writing, and ends nothing.
 class CancelOnSignal {
 public:
     CancelOnSignal();

@@ -1,5 +1,6 @@
 #include "batch/numbered.h"
 
+#include "core/base/file.h"
 #include "core/base/text.h"
 
 namespace normalscope {
@@ -23,6 +24,16 @@ std::filesystem::path numbered(const std::string& pattern, std::size_t i, std::s
         at = end + 1;
     }
     return name;
+}
+
+void make_folders(const std::string& pattern, std::size_t count, std::size_t columns) {
+    std::filesystem::path made;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::filesystem::path folder = numbered(pattern, i, columns).parent_path();
+        if (folder.empty() || folder == made) continue;
+        make_folder(folder);
+        made = folder;
+    }
 }
 
 std::string pictures_written(const std::string& pattern, std::size_t count, std::size_t columns) {

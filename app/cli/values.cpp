@@ -164,9 +164,9 @@ Output parse_output(const std::string& option, const std::string& text, Written 
         Ending{".webm", {}},
     };
     static constexpr std::array<std::string_view, 5> kInstead{
-        "only PNG is written (and by capture SVG); end the name in .png", "a page is written; end the name in .html",
-        "XML is written; end the name in .xml", "JSON is written; end the name in .json",
-        "expected a name that ends in .vtt or .srt"};
+        "only PNG is written (and by capture SVG); end the name in .png",
+        "the file is written as a web page; end its name in .html", "the file is written as XML; end its name in .xml",
+        "the file is written as JSON; end its name in .json", "expected a name that ends in .vtt or .srt"};
     for (const Ending& ending : kEndings)
         if (ending.says != what && has_ending(text, ending.text))
             fail(option, text, std::string(kInstead[static_cast<std::size_t>(what)]));

@@ -104,7 +104,7 @@ int run(const AnimateCommand& command) {
     std::optional<TemporaryFolder> frames;
     if (video) frames.emplace(command.output);
     const auto file = [&](std::size_t i) { return video ? frames->path() / numbered("%06d.png", i) : named(i); };
-    for (std::size_t i = 0; i < (video ? 1 : pictures.size()); ++i) make_folder_for(file(i));
+    if (!video) make_folders(command.output, pictures.size());
     const CrashLine crash_line;
     Studio studio({.context = command.context, .pictures = pictures.size()});
     {

@@ -196,8 +196,7 @@ int run(const SweepCommand& command) {
         if (sweep.frames.empty()) sweep.frames = frames.emplace(command.output).path();
         sweep.pattern = (sweep.frames / "%06d.png").string();
     }
-    for (std::size_t i = 0; i < count; ++i)
-        if (i == 0 || sweep.file(i).parent_path() != sweep.file(i - 1).parent_path()) make_folder_for(sweep.file(i));
+    make_folders(sweep.pattern, count, sweep.plan.columns());
     std::optional<CrashLine> crash_line;
     if (command.jobs == 1) crash_line.emplace();  // of other processes run_jobs tells
     if (!draw_all(sweep)) return CancelOnSignal::exit_code();

@@ -91,7 +91,7 @@ void InterfaceState::draw_strip(Scene& scene, const Frame& frame, const Status& 
     const bool about = !scene.about.empty() && status.as_named;
     const bool stopped = scene.stack_position && !stack.player.playing;
     switch (draw_scene_strip(look,
-                             {.sentence = stopped ? "Stopped on the way to M: " + how_far(scene)
+                             {.sentence = stopped ? "Stopped partway: " + how_far(scene)
                                           : about ? said_of(scene).caption
                                                   : said_of_m(scene),
                               .plays = !scene.stack.empty(),

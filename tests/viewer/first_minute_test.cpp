@@ -18,6 +18,14 @@ protected:
             if (w->WasActive && std::string_view(w->Name).find(window) != std::string_view::npos) return true;
         return false;
     }
+    void begin_to_play() {
+        point(middle(strip("##play")));
+        press();
+        viewer().release(0, 0);
+        viewer().step();
+        host_.time += 0.05;
+        viewer().step();
+    }
 };
 
 TEST_F(FirstMinuteTest, TheVeryFirstStartPlaysTheStackOnce) {
@@ -61,12 +69,7 @@ TEST_F(FirstMinuteTest, NothingPlaysWhereMotionIsUnwantedOrSomethingWasAskedFor)
 TEST_F(FirstMinuteTest, PlayLetsTheTransformHappenAgain) {
     start();
     const Scene before = scene();
-    point(middle(strip("##play")));
-    press();
-    viewer().release(0, 0);
-    viewer().step();
-    host_.time += 0.05;
-    viewer().step();
+    begin_to_play();
     EXPECT_LT(scene().stack_position.value_or(1.0), 0.5);
     settle();
     EXPECT_EQ(scene(), before);
@@ -78,12 +81,7 @@ TEST_F(FirstMinuteTest, UndoWhileItPlaysUndoesWhatWasDoneBefore) {
     key(ImGuiKey_C);
     const Scene done = scene();
     for (const bool another : {false, true}) {
-        point(middle(strip("##play")));
-        press();
-        viewer().release(0, 0);
-        viewer().step();
-        host_.time += 0.05;
-        viewer().step();
+        begin_to_play();
         EXPECT_TRUE(scene().stack_position);
         if (another) viewer().press({ImGuiKey_T});
         viewer().press({ImGuiKey_Z, ImGuiMod_Ctrl});

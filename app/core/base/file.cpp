@@ -141,8 +141,4 @@ void make_folder(const std::filesystem::path& folder) {
     if (error) throw InputError(folder.string(), "cannot be made: " + error.message());
 }
 
-void make_folder_for(const std::filesystem::path& file) {
-    if (file.has_parent_path()) make_folder(file.parent_path());
-}
-
 }  // namespace normalscope

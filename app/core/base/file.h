@@ -45,7 +45,5 @@ void write_file(const std::filesystem::path& file, std::string_view bytes);
 
 /// Makes a folder, and those that it is in, where there is none. Throws InputError.
 void make_folder(const std::filesystem::path& folder);
-/// The one that the file is to be in.
-void make_folder_for(const std::filesystem::path& file);
 
 }  // namespace normalscope

@@ -39,9 +39,8 @@ std::vector<std::string> notes(const Scene& scene, const Transform<World, Object
             return given && given->matrix != matrix(entry);
         }))
         result.emplace_back(
-            "A matrix whose bottom row is 0 0 0 s, but for rounding, is the same map as that matrix divided by s, "
-            "since points are "
-            "divided by their w. It is shown that way.");
+            "A matrix whose bottom row is 0 0 0 s, up to rounding, is the same map as that matrix divided by s, since "
+            "points are divided by their w. It is shown that way.");
     if (!m.affine())
         result.emplace_back(
             "M is not affine: its bottom row is not 0 0 0 1. Points are divided by their w, tangents are sent through "

@@ -64,11 +64,17 @@ constexpr std::array kSymbols{
 struct Fraction {
     std::string_view text;
     std::int64_t numerator, denominator;
+
+    Number value() const { return Number::ratio(numerator, denominator); }
 };
 constexpr std::array kFractions{Fraction{"½", 1, 2}, Fraction{"⅓", 1, 3}, Fraction{"⅔", 2, 3}, Fraction{"¼", 1, 4},
                                 Fraction{"¾", 3, 4}, Fraction{"⅕", 1, 5}, Fraction{"⅖", 2, 5}, Fraction{"⅗", 3, 5},
                                 Fraction{"⅘", 4, 5}, Fraction{"⅙", 1, 6}, Fraction{"⅚", 5, 6}, Fraction{"⅛", 1, 8},
                                 Fraction{"⅜", 3, 8}, Fraction{"⅝", 5, 8}, Fraction{"⅞", 7, 8}};
+const Fraction* fraction_at(std::string_view rest) {
+    const auto found = std::ranges::find_if(kFractions, [&](const Fraction& f) { return rest.starts_with(f.text); });
+    return found == kFractions.end() ? nullptr : &*found;
+}
 constexpr std::array<std::string_view, 10> kSuperscripts{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 
 class Lexer {
@@ -112,10 +118,8 @@ private:
         if (rest_.starts_with("π")) return push(leaf(Op::Pi), std::string_view("π").size());
         if (rest_.starts_with("√")) return push(call(functions().front()), std::string_view("√").size());
         if (superscript()) return;
-        for (const Fraction& f : kFractions)
-            if (rest_.starts_with(f.text))
-                return push({.type = TokenType::Number, .number = Number::ratio(f.numerator, f.denominator)},
-                            f.text.size());
+        if (const Fraction* f = fraction_at(rest_))
+            return push({.type = TokenType::Number, .number = f->value()}, f->text.size());
         const std::size_t length = length_of(rest_);
         if (length == 0) throw SyntaxError(column_, "this is not UTF-8 text; type the formula anew");
         if (length == 1 && static_cast<unsigned char>(rest_[0]) < 0x20)
@@ -141,12 +145,10 @@ private:
         }
         Number value = Number::from_decimal(rest_.substr(0, n));
         if (!value.finite()) throw SyntaxError(column_, "this number is too large; the largest is about 1.8e308");
-        for (const Fraction& f : kFractions)  // 2½ is 5/2
-            if (!point && rest_.substr(n).starts_with(f.text)) {
-                value = value + Number::ratio(f.numerator, f.denominator);
-                n += f.text.size();
-                break;
-            }
+        if (const Fraction* f = point ? nullptr : fraction_at(rest_.substr(n))) {  // 2½ is 5/2
+            value = value + f->value();
+            n += f->text.size();
+        }
         push({.type = TokenType::Number, .number = value}, n);
     }
 

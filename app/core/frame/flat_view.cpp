@@ -53,7 +53,8 @@ std::string note_on(const FlatView& view, const std::optional<ProbeInWorld>& pro
             const auto& n = probe->normals[rule];
             leaving = leaving || (n && leaves(view.plane, n->xyz));
         }
-    if (misses_a_sheet) return "A part of the surface lies in the plane z = 0: only the curves beside it are drawn.";
+    if (misses_a_sheet)
+        return "Part of the surface lies in the plane z = 0; the curves show where the rest crosses it.";
     if (leaving) return "The normals leave this plane at the probe: their parts within it are drawn.";
     if (view.plane.tilted) return "M tilts the plane: both curves are seen straight on, each in its own.";
     return {};

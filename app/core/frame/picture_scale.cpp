@@ -9,7 +9,7 @@ namespace normalscope {
 
 namespace {
 
-// An object's radius up to which a unit is one, and by what that is divided: what is small would soon be lost behind its marks.
+// For objects of a radius from 1/kOrdinaryPart to kOrdinary a unit is one. A small one would soon be lost behind its marks.
 constexpr double kOrdinary = 8.0, kOrdinaryPart = 3.0;
 
 }  // namespace

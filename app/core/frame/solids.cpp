@@ -141,6 +141,13 @@ void add_tube(Solids& solids, std::span<const glm::dvec3> points, double radius,
         for (const glm::dvec3& end : {line.front(), line.back()}) add_ball(solids, end, radius, color);
 }
 
+std::vector<glm::dvec3> circle(const glm::dvec3& centre, const glm::dvec3& axis, double radius, int points) {
+    const Basis basis = perpendicular(axis);
+    std::vector<glm::dvec3> result;
+    for (int i = 0; i < points; ++i) result.push_back(centre + radius * around(basis, i, points));
+    return result;
+}
+
 void add_cube(Solids& solids, const glm::dvec3& centre, const glm::dvec3& direction, double half,
               const glm::vec4& color) {
     const glm::dvec3 w = glm::normalize(direction);

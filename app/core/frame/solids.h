@@ -32,6 +32,8 @@ void add_arrow(Solids& solids, const glm::dvec3& base, const glm::dvec3& vector,
 /// A round line through the points.
 void add_tube(Solids& solids, std::span<const glm::dvec3> points, double radius, const glm::vec4& color,
               bool closed = false);
+/// So many points around `centre`, in the plane perpendicular to `axis`, a unit vector.
+std::vector<glm::dvec3> circle(const glm::dvec3& centre, const glm::dvec3& axis, double radius, int points);
 /// A cube, `axis` of which lies along `direction`.
 void add_cube(Solids& solids, const glm::dvec3& centre, const glm::dvec3& direction, double half,
               const glm::vec4& color);

@@ -5,7 +5,6 @@
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/constants.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>
@@ -83,21 +82,15 @@ void add_object_in_front(Frame& frame, double pixel_scale) {
                   ArrowLook::Hollow, theme_colors(frame.theme).background_top);
         add_ball(pane.solids, nearer(base), kNearer * 1.8 * radius, glm::vec4(object_normal->color, 1.0f));
 
-        // Where lines from the eye touch the ellipsoid: with it as the unit ball, a circle about the line from the eye to its middle.
+        // Where lines from the eye touch the ellipsoid: with it as the unit ball, a circle about the line from the eye to its
+        // middle.
         const glm::dvec3 half = frame.surface->extent, from = eye / half;
         const double distance = glm::length(from);
         if (!(distance > 1.0)) continue;
         const glm::dvec3 way = from / distance;
-        const glm::dvec3 u = glm::normalize(
-            glm::cross(way, std::abs(way.y) < 0.9 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0)));
-        const glm::dvec3 v = glm::cross(way, u);
-        std::vector<glm::dvec3> outline;
-        for (int i = 0; i < kCorners; ++i) {
-            const double angle = glm::two_pi<double>() * i / kCorners;
-            const glm::dvec3 ring =
-                std::sqrt(1.0 - 1.0 / (distance * distance)) * (std::cos(angle) * u + std::sin(angle) * v);
-            outline.push_back(nearer(half * (way / distance + ring)));
-        }
+        std::vector<glm::dvec3> outline =
+            circle(way / distance, way, std::sqrt(1.0 - 1.0 / (distance * distance)), kCorners);
+        for (glm::dvec3& p : outline) p = nearer(half * p);
         add_tube(pane.solids, outline, kNearer * pixel, glm::vec4(object_normal->color, 1.0f), true);
     }
 }

@@ -87,7 +87,7 @@ glm::dvec3 onto_curve(const ImplicitSurface& surface, const glm::dvec3& start, d
 }
 
 // Where f changes its sign on the plane z = height, brought back to z = 0.
-std::vector<CurvePiece> pieces_of_formula(const ImplicitSurface& surface, double height) {
+std::vector<CurvePiece> pieces_at(const ImplicitSurface& surface, double height) {
     const LevelSets sets = level_sets(surface, {Axis::Z, height, false}, Detail::Lines);
     const double reach = 0.01 * sets.reach;
     std::vector<CurvePiece> pieces;
@@ -103,7 +103,8 @@ std::vector<CurvePiece> pieces_of_formula(const ImplicitSurface& surface, double
 }
 
 // Whether f is 0 on more than curves of the plane, as z (x² + y² + z² - 1) is.
-bool contains_plane(const ImplicitSurface& surface, const formulas::Box& region) {
+bool contains_plane(const ImplicitSurface& surface) {
+    const formulas::Box& region = *surface.region();
     constexpr int kSide = 24;
     constexpr double kBeside = 0.317;  // of a square: a curve along the axes runs between the points
     constexpr int kOfACurve = 2 * kSide;
@@ -116,11 +117,10 @@ bool contains_plane(const ImplicitSurface& surface, const formulas::Box& region)
 }
 
 // What lies in the plane has no curve; what else crosses it there does so just below it, or just above.
-void cut_formula(FlatCut& cut, std::vector<CurvePiece>& pieces, const ImplicitSurface& surface) {
-    cut.misses_a_sheet = contains_plane(surface, *surface.region());
-    const double beside = cut.misses_a_sheet ? 1e-7 * surface.source().bound : 0.0;
-    pieces = pieces_of_formula(surface, -beside);
-    if (cut.misses_a_sheet && pieces.empty()) pieces = pieces_of_formula(surface, beside);
+std::vector<CurvePiece> pieces_beside_plane(const ImplicitSurface& surface) {
+    const double beside = 1e-7 * surface.source().bound;
+    std::vector<CurvePiece> below = pieces_at(surface, -beside);
+    return below.empty() ? pieces_at(surface, beside) : below;
 }
 
 // The plane in bands across y, between the heights of the corners: within a band no two sides meet.
@@ -184,11 +184,14 @@ Site between(const CurvePiece& piece, double s) {
 FlatCut flat_cut(const Surface& surface) {
     FlatCut cut;
     std::vector<CurvePiece> pieces;
-    if (surface.implicit && surface.implicit->region())
-        cut_formula(cut, pieces, *surface.implicit);
-    else
+    if (surface.implicit && surface.implicit->region()) {
+        cut.misses_a_sheet = contains_plane(*surface.implicit);
+        pieces = cut.misses_a_sheet ? pieces_beside_plane(*surface.implicit) : pieces_at(*surface.implicit, 0.0);
+        if (pieces.empty() && !cut.misses_a_sheet) pieces = pieces_of_mesh(surface.mesh);
+    } else {
         cut.misses_a_sheet = has_triangle_in_plane(surface.mesh);
-    if (pieces.empty() && !(surface.implicit && cut.misses_a_sheet)) pieces = pieces_of_mesh(surface.mesh);
+        pieces = pieces_of_mesh(surface.mesh);
+    }
     double extent = 0.0;
     for (const CurvePiece& piece : pieces) {
         extent = std::max({extent, glm::length(piece.from.point.xyz), glm::length(piece.to.point.xyz)});
