@@ -198,6 +198,8 @@ bool Interface::record_tab(std::string_view id) {
 bool Interface::typing_formula() const { return state_->panel.formula.typing(); }
 Unfolded& Interface::unfolded() { return state_->unfolded; }
 const Unfolded& Interface::unfolded() const { return state_->unfolded; }
+std::vector<std::string>& Interface::recent_files() { return state_->dialog.recent_files(); }
+const std::vector<std::string>& Interface::recent_files() const { return state_->dialog.recent_files(); }
 void Interface::play(Scene& scene) { toggle(state_->stack.player, scene); }
 void Interface::finish_playing(Scene& scene) { finish(state_->stack.player, scene); }
 bool Interface::playing() const { return state_->stack.player.playing || state_->lecture.moving(); }

@@ -85,6 +85,9 @@ public:
     /// What the panel shows beyond a first look.
     Unfolded& unfolded();
     const Unfolded& unfolded() const;
+    /// The files that were opened or saved, the newest first: the dialog offers them.
+    std::vector<std::string>& recent_files();
+    const std::vector<std::string>& recent_files() const;
     /// The stack from nothing to whole.
     void play(Scene& scene);
     void finish_playing(Scene& scene);

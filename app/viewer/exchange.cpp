@@ -1,6 +1,7 @@
 #include "core/base/decimal.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/system.h"
 #include "core/base/text.h"
 #include "core/explain/explanation.h"
 #include "core/image/png.h"
@@ -177,8 +178,20 @@ void Viewer::finish_opening() {
     }
 }
 
+void Viewer::note_file(const std::filesystem::path& file) {
+    constexpr std::size_t kMost = 12;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error)) return;  // what is built in, or a link
+    const std::string whole = text_of(std::filesystem::absolute(file, error).lexically_normal());
+    std::vector<std::string>& files = gui_.interface.recent_files();
+    std::erase(files, whole);
+    files.insert(files.begin(), whole);
+    if (files.size() > kMost) files.pop_back();
+}
+
 void Viewer::take(Opened opened) {
     commit();
+    note_file(opened.lesson ? opened.lesson->name : opened.file);
     const std::shared_ptr<Origin> left = document_.origin();
     if (opened.exercises) {
         if (in_lesson()) {
@@ -215,6 +228,7 @@ void Viewer::save_scene(const std::filesystem::path& file) {
     document_.scene = document_.given();
     normalscope::save_scene(document_.scene, file);
     document_.saved_as(file.string());
+    note_file(file);
     host_.saved(file);
     gui_.interface.show_note("Saved " + document_.file());
     if (std::exchange(closes_when_saved_, false)) close();

@@ -92,6 +92,7 @@ void Viewer::save_lesson(const std::filesystem::path& file) {
     normalscope::save_lesson(*document_.draft.lesson, file);
     document_.lesson_saved_as(file.string());
     watch_.begin(file, host_.now());
+    note_file(file);
     host_.saved(file);
     list_lessons();
     gui_.interface.show_note("Saved " + file.string());

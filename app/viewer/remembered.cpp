@@ -41,6 +41,7 @@ std::string remembered_text(const Remembered& remembered) {
     for (const auto& [name, part] : kUnfolded)
         if (remembered.unfolded.*part) json["unfolded"].push_back(name);
     for (const auto& [lesson, step] : remembered.lessons) json["lessons"][lesson] = step;
+    if (!remembered.recent_files.empty()) json["recent_files"] = remembered.recent_files;
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -54,6 +55,9 @@ Remembered remembered_of(std::string_view text) {
     remembered.scale.interface = factor(json, "interface_scale");
     remembered.scale.presenter = factor(json, "presenter_scale");
     remembered.lessons = steps(json);
+    if (const auto files = json.find("recent_files"); files != json.end() && files->is_array())
+        for (const Json& file : *files)
+            if (file.is_string()) remembered.recent_files.push_back(file.get<std::string>());
     if (const auto motion = json.find("motion"); motion != json.end() && motion->is_boolean())
         remembered.motion = motion->get<bool>();
     return remembered;

@@ -43,6 +43,8 @@ Viewer::Viewer(Host& host, Opened first, Remembered remembered)
         surfaces_.take(std::move(first.surfaces));
     show_title();
     gui_.interface.unfolded() = remembered.unfolded;
+    gui_.interface.recent_files() = std::move(remembered.recent_files);
+    note_file(document_.file());
     offered_ = std::move(remembered.unsaved);
     if (remembered.first && motion_ && (document_.file().empty() || document_.file() == kDefaultScene) &&
         !exercising() && !lecture().player.running())
@@ -56,6 +58,7 @@ Remembered Viewer::remembered() const {
     return {.scale = scale_,
             .lessons = lecture().progress,
             .unfolded = gui_.interface.unfolded(),
+            .recent_files = gui_.interface.recent_files(),
             .first = false,
             .motion = motion_};
 }

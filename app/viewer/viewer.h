@@ -165,6 +165,8 @@ private:
     // What comes in and goes out: exchange.cpp
     void finish_opening();
     void take(Opened opened);
+    /// Among those that the dialog offers, if it is a file.
+    void note_file(const std::filesystem::path& file);
     /// What an earlier session did not come to save.
     void offer();
     void obey(const Reply& reply);

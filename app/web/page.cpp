@@ -27,9 +27,10 @@ EMSCRIPTEN_WEBGL_CONTEXT_HANDLE make_context() {
     return context;
 }
 
-// Whether anything moves is the browser's to say, each time.
+// Whether anything moves is the browser's to say, each time; and files are gone with the page.
 std::string kept(Remembered remembered) {
     remembered.motion = true;
+    remembered.recent_files.clear();
     return remembered_text(remembered);
 }
 

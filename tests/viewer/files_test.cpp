@@ -76,6 +76,27 @@ TEST_F(FilesTest, ASceneIsOpened) {
     EXPECT_EQ(scene(), saved);
 }
 
+TEST_F(FilesTest, RecentFilesAreOfferedAndOutliveTheSession) {
+    write("t.obj", kTetrahedron);
+    write("broken.obj", "v 1\n");
+    start();
+    open(path("t.obj"));
+    open("shear");  // no file
+    answer_dialog(ImGuiKey_S, path("s.json"));
+    open(path("broken.obj"));
+    const std::vector<std::string> newest_first{path("s.json"), path("t.obj")};
+    const Remembered later = remembered_of(remembered_text(viewer().remembered()));
+    EXPECT_EQ(later.recent_files, newest_first);
+
+    fs::remove(path("s.json"));
+    start(light(), "", later);
+    key(kCtrl | ImGuiKey_O);
+    click(Item("##files") / "Recent");
+    click(Item("##files/##list") / 0 / "##entry");  // the only one that is still there
+    key(ImGuiKey_Enter);
+    EXPECT_EQ(named(), "t.obj");
+}
+
 TEST_F(FilesTest, WhatCannotBeOpenedSaysWhyAndChangesNothing) {
     write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 99\n");
     write("b.stl", "no triangles");

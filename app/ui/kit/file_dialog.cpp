@@ -23,6 +23,7 @@ namespace {
 
 using For = FileDialog::For;
 constexpr const char* kId = "##files";
+constexpr float kRecentWidth = 84.0f;
 
 struct Purpose {
     const char *title, *action;
@@ -61,6 +62,18 @@ std::string filter(For purpose) {
     return {};
 }
 
+// A name; of a whole path the name first, and dim where it is.
+void draw_name(const Look& look, ImVec2 at, const std::string& entry) {
+    const fs::path path = entry;
+    const std::string name = shown(path.filename());
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddText(at, packed(look.text), name.c_str());
+    if (!path.has_parent_path()) return;
+    at.x += ImGui::CalcTextSize(name.c_str()).x + look.px(12);
+    const float room = ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x - at.x;
+    list.AddText(at, packed(look.dim), shortened(shown(path.parent_path()), room).c_str());
+}
+
 }  // namespace
 
 void FileDialog::open(For purpose) {
@@ -69,6 +82,7 @@ void FileDialog::open(For purpose) {
     open_ = appearing_ = focus_name_ = true;
     complaint_.clear();
     to_overwrite_.clear();
+    recent_ = listed(recent_files_, endings(purpose));
     std::error_code error;
     enter(folder_.path.empty() ? fs::current_path(error) : folder_.path);
     if (purpose == For::SaveScene && !scene_file_.empty())
@@ -79,6 +93,7 @@ void FileDialog::enter(const fs::path& folder) {
     const std::vector<std::string_view> shown_endings =
         all_files_ ? std::vector<std::string_view>{} : endings(purpose_);
     listed_anew_ = true;
+    recent_shown_ = false;
     Folder next = read_folder(folder.empty() && drives().empty() ? fs::path("/") : folder, shown_endings);
     complaint_ = next.error;
     // An unreadable folder is not entered, unless there is nothing else to show.
@@ -135,10 +150,10 @@ void FileDialog::list(const Look& look, Requests& requests) {
     ImGui::PopStyleVar();
     if (listed) {
         ImGuiListClipper clipper;
-        clipper.Begin(static_cast<int>(folder_.entries.size()));
+        clipper.Begin(static_cast<int>(listing().entries.size()));
         while (clipper.Step())
             for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-                const FolderEntry& entry = folder_.entries[static_cast<std::size_t>(i)];
+                const FolderEntry& entry = listing().entries[static_cast<std::size_t>(i)];
                 ImGui::PushID(i);
                 const ImVec2 at = ImGui::GetCursorScreenPos();
                 const bool pressed = ImGui::Selectable("##entry", !entry.folder && entry.name == name_,
@@ -155,11 +170,11 @@ void FileDialog::list(const Look& look, Requests& requests) {
                 const float side = ImGui::GetFontSize();
                 draw_icon(list, entry.folder ? Icon::Folder : Icon::File, {at.x + look.px(10), at.y + side / 2},
                           look.px(15), packed(look.dim));
-                list.AddText({at.x + look.px(26), at.y}, packed(look.text), entry.name.c_str());
+                draw_name(look, {at.x + look.px(26), at.y}, entry.name);
                 ImGui::PopID();
             }
-        if (folder_.entries.empty()) dim_text(look, "Nothing here of this kind.");
-        if (folder_.cut) dim_text(look, "… and more: type the name.");
+        if (listing().entries.empty()) dim_text(look, "Nothing here of this kind.");
+        if (listing().cut) dim_text(look, "… and more: type the name.");
     }
     ImGui::EndChild();
     ImGui::PopStyleColor();
@@ -180,18 +195,33 @@ void FileDialog::title(const Look& look) {
     if (icon_button(look, "##parent",
                     {.icon = Icon::Up,
                      .about = "To the folder above",
-                     .enabled = folder_.path.has_relative_path() || (!folder_.path.empty() && !drives().empty()),
+                     .enabled = !recent_shown_ &&
+                                (folder_.path.has_relative_path() || (!folder_.path.empty() && !drives().empty())),
                      .side = 30}))
         enter(folder_.path.has_relative_path() ? folder_.path.parent_path() : fs::path());
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
-    const std::string place = folder_.path.empty() ? "All drives" : shown(folder_.path);
-    dim_text(look, shortened(place, ImGui::GetContentRegionAvail().x));
+    const bool recent = opens() && !recent_.entries.empty();
+    const float right = recent ? look.px(kRecentWidth) : 0.0f;
+    const std::string place = recent_shown_          ? "Recent files"
+                              : folder_.path.empty() ? "All drives"
+                                                     : shown(folder_.path);
+    dim_text(look, shortened(place, ImGui::GetContentRegionAvail().x - right));
     tip(look, place.c_str());
+    if (!recent) return;
+    ImGui::SameLine(ImGui::GetContentRegionMax().x - right);
+    if (accented_button(look, "Recent", recent_shown_, {right, 0})) {
+        recent_shown_ = !recent_shown_;
+        listed_anew_ = focus_name_ = true;
+    }
+    tip(look, recent_shown_ ? "Back to the folder" : "The files that were opened or saved last");
 }
 
 void FileDialog::name_field(Requests& requests) {
-    if (std::exchange(focus_name_, false)) ImGui::SetKeyboardFocusHere();
+    if (std::exchange(focus_name_, false)) {
+        ImGui::SetWindowFocus();  // as long as the list has it, no field of the dialog is found
+        ImGui::SetKeyboardFocusHere();
+    }
     ImGui::SetNextItemWidth(-1);
     if (ImGui::InputTextWithHint("##name", saves() ? "name, or a path" : "type a name or a path", &name_,
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll)) {
@@ -238,12 +268,8 @@ void FileDialog::buttons(const Look& look, Requests& requests) {
     const bool cancel = ImGui::Button("Cancel", {button, 0});
     ImGui::SameLine(0, gap);
     ImGui::BeginDisabled(name_.empty());
-    ImGui::PushStyleColor(ImGuiCol_Button, look.accent);
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(look.accent, 0.85f));
-    ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(look.accent, 0.7f));
-    ImGui::PushStyleColor(ImGuiCol_Text, look.on_accent);
-    const bool accepted = ImGui::Button(to_overwrite_.empty() ? purpose.action : "Overwrite", {button, 0});
-    ImGui::PopStyleColor(4);
+    const bool accepted =
+        accented_button(look, to_overwrite_.empty() ? purpose.action : "Overwrite", true, {button, 0});
     ImGui::EndDisabled();
     if (accepted) choose(requests);
     if (open_ && (cancel || ImGui::IsKeyPressed(ImGuiKey_Escape, false))) close();
@@ -254,7 +280,7 @@ void FileDialog::draw(const Look& look, ExtraLetters& letters, Requests& request
     appearing_ = false;
     if (!open_) return;
     if (std::exchange(listed_anew_, false))
-        for (const FolderEntry& entry : folder_.entries) letters.want(entry.name, look.fonts.body);
+        for (const FolderEntry& entry : listing().entries) letters.want(entry.name, look.fonts.body);
     letters.want(name_, look.fonts.body);
 
     const bool visible = begin_dialog(look, kId, 620);

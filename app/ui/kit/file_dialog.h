@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace normalscope {
 
@@ -18,6 +19,9 @@ public:
     void open(For purpose);
     /// The open scene's file, which saving the scene proposes; empty where it has none.
     void set_scene_file(const std::string& file) { scene_file_ = file; }
+    /// The files that were opened or saved, the newest first.
+    std::vector<std::string>& recent_files() { return recent_files_; }
+    const std::vector<std::string>& recent_files() const { return recent_files_; }
     bool is_open() const { return open_; }
     bool opens() const { return !saves(); }
     /// It does not come after all.
@@ -26,6 +30,7 @@ public:
     void draw(const Look& look, ExtraLetters& letters, Requests& requests);
 
 private:
+    const Folder& listing() const { return recent_shown_ ? recent_ : folder_; }
     bool saves() const { return purpose_ >= For::SaveScene; }
     // Its parts, from top to bottom.
     void title(const Look& look);
@@ -43,8 +48,10 @@ private:
     bool open_ = false, appearing_ = false;
     bool all_files_ = false;
     bool focus_name_ = false;
-    bool listed_anew_ = false;  ///< some letters of its names may be missing
-    Folder folder_;
+    bool listed_anew_ = false;   ///< some letters of its names may be missing
+    bool recent_shown_ = false;  ///< in the folder's place
+    Folder folder_, recent_;
+    std::vector<std::string> recent_files_;
     std::string scene_file_;
     std::string name_;  ///< typed: a name in the folder, or a path
     std::string complaint_;

@@ -21,6 +21,10 @@ std::string lower(std::string text) {
 // The system's reason, without the call that failed.
 std::string reason(const std::error_code& error) { return error.message(); }
 
+bool ends_in_one_of(std::span<const std::string_view> endings, const fs::path& file) {
+    return endings.empty() || std::ranges::count(endings, lower(shown(file.extension()))) > 0;
+}
+
 }  // namespace
 
 std::string shown(const fs::path& path) { return text_of(path); }
@@ -45,8 +49,7 @@ Folder read_folder(const fs::path& path, std::span<const std::string_view> endin
         if (name.starts_with('.')) continue;
         std::error_code ignored;  // a link into nowhere is no folder
         const bool folder = it->is_directory(ignored);
-        if (!folder && !endings.empty() && std::ranges::count(endings, lower(shown(it->path().extension()))) == 0)
-            continue;
+        if (!folder && !ends_in_one_of(endings, it->path())) continue;
         if (result.entries.size() == kMostEntries) {
             result.cut = true;
             break;
@@ -57,6 +60,14 @@ Folder read_folder(const fs::path& path, std::span<const std::string_view> endin
     std::ranges::sort(result.entries, [](const FolderEntry& a, const FolderEntry& b) {
         return a.folder != b.folder ? a.folder : lower(a.name) < lower(b.name);
     });
+    return result;
+}
+
+Folder listed(std::span<const std::string> files, std::span<const std::string_view> endings) {
+    Folder result;
+    std::error_code ignored;
+    for (const std::string& file : files)
+        if (ends_in_one_of(endings, file) && fs::is_regular_file(file, ignored)) result.entries.push_back({file});
     return result;
 }
 

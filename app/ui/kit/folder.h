@@ -9,7 +9,7 @@
 namespace normalscope {
 
 struct FolderEntry {
-    std::string name;
+    std::string name;  ///< in its folder, or a whole path
     bool folder = false;
 };
 
@@ -24,6 +24,9 @@ struct Folder {
 /// Lists a folder's folders and those of its files that end in one of `endings` (lower case, with the dot); all files if
 /// there are none. Of no path at all: the drives, where there are any.
 Folder read_folder(const std::filesystem::path& path, std::span<const std::string_view> endings);
+
+/// Those of the files that are there and end in one of `endings`, each by its whole path, in the same order.
+Folder listed(std::span<const std::string> files, std::span<const std::string_view> endings);
 
 /// The path as UTF-8, for the screen.
 std::string shown(const std::filesystem::path& path);

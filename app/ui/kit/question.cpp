@@ -31,16 +31,8 @@ std::optional<std::size_t> QuestionBox::buttons(const Look& look) const {
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - all);
     for (std::size_t i = 0; i < choices_.size(); ++i) {
         if (i > 0) ImGui::SameLine(0, gap);
-        const bool first = i == 0;
-        if (first) {
-            ImGui::PushStyleColor(ImGuiCol_Button, look.accent);
-            ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(look.accent, 0.85f));
-            ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(look.accent, 0.7f));
-            ImGui::PushStyleColor(ImGuiCol_Text, look.on_accent);
-        }
-        const bool pressed = ImGui::Button(choices_[i].c_str(), {width, 0});
+        const bool pressed = accented_button(look, choices_[i].c_str(), i == 0, {width, 0});
         if (!chosen && (pressed || ImGui::IsKeyPressed(key_of_initial(choices_[i]), false))) chosen = i;
-        if (first) ImGui::PopStyleColor(4);
     }
     const bool enter = ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeypadEnter, false);
     if (enter && !ImGui::GetIO().NavVisible) chosen = 0;  // else it presses the button that it stands on

@@ -107,6 +107,17 @@ bool icon_button(const Look& look, const char* id, const IconButton& button) {
     return pressed;
 }
 
+bool accented_button(const Look& look, const char* label, bool accented, ImVec2 size) {
+    if (!accented) return ImGui::Button(label, size);
+    ImGui::PushStyleColor(ImGuiCol_Button, look.accent);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(look.accent, 0.85f));
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(look.accent, 0.7f));
+    ImGui::PushStyleColor(ImGuiCol_Text, look.on_accent);
+    const bool pressed = ImGui::Button(label, size);
+    ImGui::PopStyleColor(4);
+    return pressed;
+}
+
 bool segmented(const Look& look, const char* id, int& chosen, std::span<const Segment> choices) {
     ImGui::PushID(id);
     const float height = ImGui::GetFrameHeight() + look.px(2), inset = look.px(2);

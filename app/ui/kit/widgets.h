@@ -36,6 +36,9 @@ struct IconButton {
 };
 bool icon_button(const Look& look, const char* id, const IconButton& button);
 
+/// As ImGui::Button; in the accent's colour if it is the one to press, or pressed.
+bool accented_button(const Look& look, const char* label, bool accented = true, ImVec2 size = {});
+
 struct Segment {
     const char* label;
     const char* about;

@@ -80,12 +80,7 @@ void writing(const Scene& scene, const PanelContext& context) {
 
 void learn_menu(const Scene& scene, PanelMemory& memory, const PanelContext& context) {
     const Look& look = context.look;
-    ImGui::PushStyleColor(ImGuiCol_Button, look.accent);
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(look.accent, 0.85f));
-    ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(look.accent, 0.7f));
-    ImGui::PushStyleColor(ImGuiCol_Text, look.on_accent);
-    const bool pressed = ImGui::Button("Learn");
-    ImGui::PopStyleColor(4);
+    const bool pressed = accented_button(look, "Learn");
     tip(look, "Lessons, exercises, and a gallery of surfaces.");
     if (pressed) ImGui::OpenPopup("##learning");
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();

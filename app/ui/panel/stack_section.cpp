@@ -76,15 +76,7 @@ void buttons(const Look& look, Scene& scene, StackMemory& memory) {
     float width = 2 * look.px(6);
     for (const char* label : {"x ½, y 2", "Add…", "Reset"}) width += ImGui::CalcTextSize(label).x + 2 * look.px(9);
     ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
-    const bool down = is_running_example(scene);
-    if (down) {
-        ImGui::PushStyleColor(ImGuiCol_Button, look.accent);
-        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, faded(look.accent, 0.85f));
-        ImGui::PushStyleColor(ImGuiCol_ButtonActive, faded(look.accent, 0.7f));
-        ImGui::PushStyleColor(ImGuiCol_Text, look.on_accent);
-    }
-    const bool preset = ImGui::Button("x ½, y 2");
-    if (down) ImGui::PopStyleColor(4);
+    const bool preset = accented_button(look, "x ½, y 2", is_running_example(scene));
     tip(look, "The running example: x halved, y doubled, nothing else.");
     if (preset) scene.stack = {kRunningExample};
     ImGui::SameLine(0, look.px(6));

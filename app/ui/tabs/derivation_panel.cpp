@@ -19,16 +19,6 @@ namespace {
 constexpr float kMargin = 16.0f;
 constexpr float kGutter = 26.0f;  // for a line's number and its mark
 
-bool toggle_button(const Look& look, const char* label, bool down, ImVec2 size) {
-    ImGui::PushStyleColor(ImGuiCol_Button, down ? look.accent : look.field);
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, down ? look.accent : look.line);
-    ImGui::PushStyleColor(ImGuiCol_ButtonActive, down ? look.accent : look.line);
-    ImGui::PushStyleColor(ImGuiCol_Text, down ? look.on_accent : look.text);
-    const bool pressed = ImGui::Button(label, size);
-    ImGui::PopStyleColor(4);
-    return pressed;
-}
-
 float height_of(const Passage& passage) {
     float height = 0.0f;
     for (const Passage::Row& row : passage.rows) height += row.above + row.box.height();
@@ -82,8 +72,8 @@ void DerivationPanel::header(const Look& look) {
     if (segmented(look, "##tangent", tangent, kTangents)) tangent_ = static_cast<std::size_t>(tangent);
     ImGui::PopItemWidth();
     ImGui::SameLine(0, look.px(10));
-    if (toggle_button(look, "step by step", stepping_,
-                      {ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight() + look.px(2)})) {
+    if (accented_button(look, "step by step", stepping_,
+                        {ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight() + look.px(2)})) {
         stepping_ = !stepping_;
         go_to(0);
     }
