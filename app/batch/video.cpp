@@ -75,11 +75,6 @@ std::optional<int> run(std::vector<std::string> command, const fs::path& log, Pr
 
 }  // namespace
 
-bool is_video(const fs::path& file) {
-    const std::string name = file.string();
-    return has_ending(name, ".gif") || has_ending(name, ".mp4") || has_ending(name, ".webm");
-}
-
 void require_ffmpeg(const fs::path& video) {
     if (!find_program("ffmpeg"))
         throw InputError(video.string() + ": needs ffmpeg, which is not installed; " + remedy(Missing::Ffmpeg) +

@@ -7,9 +7,6 @@
 
 namespace normalscope {
 
-/// A name that ends in .gif, .mp4 or .webm.
-bool is_video(const std::filesystem::path& file);
-
 /// Throws InputError, which says what to do, where ffmpeg is not installed: it is asked before any picture is drawn.
 void require_ffmpeg(const std::filesystem::path& video);
 

@@ -2,6 +2,7 @@
 
 #include "core/base/decimal.h"
 #include "core/base/error.h"
+#include "core/base/output_names.h"
 #include "core/base/text.h"
 #include "core/image/image.h"
 
@@ -110,21 +111,14 @@ std::string parse_numbered_output(const std::string& option, const std::string& 
         throw UsageError("--vary: that makes " + std::to_string(count) + " pictures; at most " +
                          std::to_string(kMostPictures) + " are drawn at once");
     if (text == "-") fail(option, text, "several pictures cannot go to one stream; give a folder, or frame-%03d.png");
-    for (const std::string_view video : {".gif", ".mp4", ".webm"})
-        if (has_ending(text, video) && text.find('%') == std::string::npos) return text;
+    if (is_video(text)) return text;
     std::error_code ignored;
-    const bool like_a_folder =
-        !text.empty() && std::filesystem::path(text).filename().string().find_first_of("%.") == std::string::npos;
+    const std::string name = std::filesystem::path(text).filename().string();
+    const bool like_a_folder = !text.empty() && name.find('.') == std::string::npos && places_for_numbers(name) == 0;
     if (like_a_folder || std::filesystem::is_directory(text, ignored))
-        return (std::filesystem::path(text) / "frame-%03d.png").string();
+        return (std::filesystem::path(literally(text)) / "frame-%03d.png").string();
 
-    std::size_t places = 0;
-    for (std::size_t at = text.find('%'); at != std::string::npos; at = text.find('%', at + 1)) {
-        const std::size_t end = text.find_first_not_of("0123456789", at + 1);
-        if (end == std::string::npos || text[end] != 'd' || end - at > 3)
-            fail(option, text, "what follows % must be a number's width, as in %03d");
-        ++places;
-    }
+    const std::size_t places = places_for_numbers(text);
     if (!has_ending(text, ".png") || places < 1 || places > varying)
         fail(option, text,
              varying == 2 ? "expected frame-%03d.png, frame-%d-%d.png, a folder, or a .gif, .mp4 or .webm"

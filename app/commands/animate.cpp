@@ -11,6 +11,7 @@
 #include "core/base/file.h"
 #include "core/base/math_text.h"
 #include "core/base/output.h"
+#include "core/base/output_names.h"
 #include "core/base/temporary_folder.h"
 #include "core/image/png.h"
 #include "core/lessons/lesson_player.h"

@@ -15,6 +15,7 @@
 #include "core/base/json_path.h"
 #include "core/base/json_text.h"
 #include "core/base/output.h"
+#include "core/base/output_names.h"
 #include "core/base/temporary_folder.h"
 #include "core/base/utf8.h"
 #include "core/image/png.h"
@@ -90,7 +91,9 @@ struct Sweep {
     fs::path frames{};                     ///< that folder
     std::vector<Capture> captures{};       ///< without their images
 
-    fs::path file(std::size_t i) const { return numbered(pattern, i, plan.columns()); }
+    fs::path file(std::size_t i) const {
+        return video && frames.empty() ? fs::path(command.output) : numbered(pattern, i, plan.columns());
+    }
 };
 
 void refuse_to_overwrite(const Sweep& sweep, const Scene& base) {
@@ -194,7 +197,7 @@ int run(const SweepCommand& command) {
     if (sweep.video) {
         sweep.frames = word_for_jobs().value_or("");  // made by the process that started this one
         if (sweep.frames.empty()) sweep.frames = frames.emplace(command.output).path();
-        sweep.pattern = (sweep.frames / "%06d.png").string();
+        sweep.pattern = literally(sweep.frames.string()) + "/%06d.png";
     }
     make_folders(sweep.pattern, count, sweep.plan.columns());
     std::optional<CrashLine> crash_line;

@@ -159,7 +159,7 @@ void Tracer::trace(const ImplicitSurface& surface, const CameraView& view, glm::
     program_->eye = glm::vec3(glm::dvec3(eye) / eye.w);
     program_->box_low = glm::vec3(surface.region()->low);
     program_->box_high = glm::vec3(surface.region()->high);
-    program_->ball = surface.source().clip == Clip::Ball ? static_cast<float>(surface.source().bound) : 0.0f;
+    program_->ball = surface.source().clip == Clip::Ball ? static_cast<float>(surface.ball()) : 0.0f;
     program_->centres = 0;
     program_->tiles = 1;
     for (std::size_t k = 0; k < program_->parameters.size(); ++k)

@@ -75,6 +75,13 @@ class SweepTest(CommandTest):
                          f"2 pictures: {self.folder}/turn-0/a.png to {self.folder}/turn-1/a.png\n")
         self.assertEqual([p.name for p in sorted(self.folder.glob("*/*"))], ["a.png", "a.png"])
 
+    def test_a_folder_with_a_percent_sign_is_taken_as_it_is(self):
+        for name in ("feature%2Fx", "50% done", "p%dq"):
+            folder = self.folder / name
+            self.assert_done("sweep", "--vary", "camera.azimuth=0:9:2", "-o", f"{folder}/", *SMALL)
+            self.assertEqual(self.names(folder), ["frame-000.png", "frame-001.png"])
+        self.assertEqual(self.names(), ["50% done", "feature%2Fx", "p%dq"])
+
     def test_a_cancel_leaves_whole_pictures_only(self):
         for jobs, number in (("1", signal.SIGHUP), ("2", signal.SIGINT)):
             out = self.folder / jobs

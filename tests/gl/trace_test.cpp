@@ -109,6 +109,8 @@ constexpr std::array kCases{
     Case{"PoleBesideACylinder", "(x^2+y^2-1)/(x-0.3)", 2.0, 0.004},
     Case{"Sawtooth", "mod(x,1)-0.5"},
     Case{"Steps", "z-floor(2x)/4"},
+    Case{"BranchWithoutAValue", "where(sqrt(-x)+1, x, (x-1)^2+y^2+z^2-0.25)"},
+    Case{"EndsWhereItIsCutOff", "x^2+y^2+z^2=4"},
     Case{"CubicPole", "(x/z+z+1)^3-6"},
     Case{"Jump", "z-atan(y/x)", 2.0, 0.005},  // beside which the surface lies as near as one likes
     Case{"Cusps", "|x|^(2/3)+|y|^(2/3)+|z|^(2/3)-1", 2.0, 0.003},

@@ -134,7 +134,7 @@ std::string of_checks(const Explanation& e) {
                        (check.dots[k] ? latex_number((*check.dots[k])(0, 0), check.dots[k]->error[0]) : "\\text{--}");
             row += "$ & " + degrees(check.degrees_off);
         } else {
-            row += check.rule == Rule::Cofactor ? " & zero: no normal & & " : " & does not exist & & ";
+            row += check.rule == Rule::InverseTranspose ? " & does not exist & & " : " & zero: no normal & & ";
         }
         out += row + " \\\\\n";
     }
@@ -142,7 +142,9 @@ std::string of_checks(const Explanation& e) {
     if (!e.affine && e.derivation.n_world)
         out += "No rule is right under this $M$. The normal, by the image of the tangent plane: $" +
                latex_matrix(transpose(*e.derivation.n_world)) + "$.\n\n";
-    if (e.claims.worst_degrees)
+    if (e.claims.naive_direction_right.value_or(false))
+        out += "The naive rule has the right direction for every normal under this $M$.\n\n";
+    else if (e.claims.worst_degrees)
         out += "For some normal, somewhere, the naive rule is off by as much as " + degrees(e.claims.worst_degrees) +
                " under this $M$.\n\n";
     return out;
@@ -184,6 +186,7 @@ std::string of_stack(const Explanation& e) {
                 ? "They differ, since $M$ is not affine: the $3\\times3$ part of a product is then not the product of "
                   "the $3\\times3$ parts.\n\n"
                 : "They are $" + latex_number(last.apart->relative, 0.0, 2) + "$ apart, of the largest entry.\n\n";
+    if (e.stack.size() < 2) return out;
     out += "\\subsection*{The wrong orders}\n\\begin{tabular}{lrp{0.45\\textwidth}}\n";
     for (const OrderOfInverses& order : e.orders)
         out += latex_text(order.formula) + " & " + (order.matrix ? degrees(order.degrees_off) : "none") +

@@ -167,7 +167,7 @@ std::string of_checks(const Explanation& e) {
     for (const RuleCheck& check : e.derivation.checks) {
         std::string line = padded(name(check.rule), 20);
         if (!check.normal) {
-            line += check.rule == Rule::Cofactor ? "zero: no normal" : e.probe ? "does not exist" : "–";
+            line += !e.probe ? "–" : check.rule == Rule::InverseTranspose ? "does not exist" : "zero: no normal";
         } else {
             std::string normal, dots;
             for (int i = 0; i < 3; ++i) normal += (i > 0 ? ", " : "(") + number_text(*check.normal, i, 0);
@@ -186,8 +186,10 @@ std::string of_checks(const Explanation& e) {
     }
     if (!e.claims.worst_degrees) return out;
     return out + "\n" +
-           paragraph("For some normal, somewhere, the naive rule is off by as much as " +
-                         degrees_text(e.claims.worst_degrees) + " under this M.",
+           paragraph(e.claims.naive_direction_right.value_or(false)
+                         ? "The naive rule has the right direction for every normal under this M."
+                         : "For some normal, somewhere, the naive rule is off by as much as " +
+                               degrees_text(e.claims.worst_degrees) + " under this M.",
                      2);
 }
 
@@ -243,7 +245,7 @@ std::string of_stack(const Explanation& e) {
 }
 
 std::string of_orders(const Explanation& e) {
-    if (e.orders.empty()) return "";
+    if (e.orders.empty() || e.stack.size() < 2) return "";
     std::string out = heading("The wrong orders, and how far they turn the probe's normal");
     for (const OrderOfInverses& order : e.orders) {
         const std::string off = order.degrees_off ? degrees_text(*order.degrees_off) : order.matrix ? "–" : "none";

@@ -42,7 +42,8 @@ Json probe_json(const ProbeInWorld& p, const ImplicitSurface* implicit) {
     if (implicit) {
         const formulas::Sample s = implicit->written_at(p.object.point);
         j["f"] = json_number(s.value);
-        if (std::isfinite(glm::length(s.gradient))) j["gradient"] = json_vector(s.gradient);
+        if (std::isfinite(s.gradient.x) && std::isfinite(s.gradient.y) && std::isfinite(s.gradient.z))
+            j["gradient"] = json_vector(s.gradient);
     }
     // Where the gradient is zero there is no normal: the one above is that of this neighbour.
     if (p.object.borrowed_from) j["borrowed_from"] = vector(*p.object.borrowed_from);
@@ -91,8 +92,9 @@ Json numbers_json(const Scene& scene, const Frame& frame, const std::optional<Dr
                          [](const auto& n) { return json_rows(n); });
     j["error_degrees"]["worst"] = json_or_null(errors, [](const auto& e) { return json_number(e.worst_degrees); });
     j["error_degrees"]["mean"] = json_or_null(errors, [](const auto& e) { return json_number(e.mean_degrees); });
+    const bool bounded = m.affine() && scene.mistake == Mistake::Naive;  // another mistake may be farther off
     j["error_degrees"]["bound"] =
-        json_or_null(m.affine() ? matrices.error_bound_degrees(shown_power(scene)) : std::nullopt, json_number);
+        json_or_null(bounded ? matrices.error_bound_degrees(shown_power(scene)) : std::nullopt, json_number);
     j["error_degrees"]["at"] = json_or_null(errors, [](const auto& e) { return json_vector(e.at.xyz); });
     const ByRule<std::optional<NormalMap>> maps{mistaken, normal_map(scene, m, Rule::InverseTranspose),
                                                 normal_map(scene, m, Rule::Cofactor)};

@@ -17,6 +17,11 @@ constexpr double kSame = 1e-12;  // entries of matrices that are the same but fo
 bool same(const glm::dmat3& a, const glm::dmat3& b) {
     return largest_entry(a - b) <= kSame * std::max(largest_entry(a), largest_entry(b));
 }
+// But for a factor.
+bool same_direction(const glm::dmat3& a, const glm::dmat3& b) {
+    const glm::dmat3 unit_a = a / largest_entry(a), unit_b = b / largest_entry(b);
+    return same(unit_a, unit_b) || same(unit_a, -unit_b);
+}
 bool finite(const glm::dmat3& m) { return std::isfinite(largest_entry(m)) && largest_entry(m) < 1e60; }
 
 bool is_diagonal(const glm::dmat3& m) { return m == glm::dmat3(m[0].x, 0, 0, 0, m[1].y, 0, 0, 0, m[2].z); }
@@ -46,7 +51,7 @@ std::vector<std::string> observations(const glm::dmat4& a, const NormalMatrices&
         result.emplace_back("each factor becomes its reciprocal: (S(x, y, z)⁻¹)ᵀ = S(1/x, 1/y, 1/z)");
     else if (same(slide * slide, glm::dmat3(0.0)) || largest_entry(slide * slide) <= kSame * largest_entry(slide))
         result.emplace_back("(A⁻¹)ᵀ = I − (A − I)ᵀ: the shear is reversed, and acts on the other coordinate");
-    else if (same(n * (1.0 / n[0].x), a3 * (1.0 / a3[0].x)) && a3[0].x != 0.0)
+    else if (same_direction(n, a3))
         result.emplace_back("(A⁻¹)ᵀ is A but for a factor: the direction is the same, the length is not");
     if (matrices.determinant < 0.0)
         result.emplace_back("the determinant is negative: it reflects, and reverses the winding");
@@ -63,12 +68,11 @@ std::vector<EntryAlgebra> stack_algebra(std::span<const StackEntry> stack) {
     std::vector<EntryAlgebra> result;
     glm::dmat4 m(1.0);
     std::optional<glm::dmat3> composite(glm::dmat3(1.0));
-    int rank = 3, factors = 0;
+    int factors = 0;
     for (const StackEntry& entry : stack) {
         const glm::dmat4 a = matrix(entry);
-        const NormalMatrices matrices = normal_matrices(glm::dmat3(a));
+        const NormalMatrices matrices = normal_matrices(glm::dmat3(a), rank(entry));
         m = a * m;
-        rank = is_affine(a) && is_affine(m) ? std::min(rank, matrices.rank) : 3;
         ++factors;
         composite = composite && matrices.inverse_transpose ? std::optional(*matrices.inverse_transpose * *composite)
                                                             : std::nullopt;
@@ -76,13 +80,14 @@ std::vector<EntryAlgebra> stack_algebra(std::span<const StackEntry> stack) {
         EntryAlgebra row;
         row.kind = name(entry);
         row.a = value_of(a);
-        row.inverse = inverse(value_of(glm::dmat3(a)));
+        row.inverse = inverse(value_of(glm::dmat3(a)), matrices.rank);
         if (row.inverse) row.inverse_transpose = transpose(*row.inverse);
         row.observations = observations(a, matrices);
         row.product = value_of(m, factors);
         row.composite = value_if(composite, factors);
         if (finite(glm::dmat3(m))) {
-            const std::optional<Value> inverted = inverse(value_of(glm::dmat3(m), factors), rank);
+            const std::optional<Value> inverted =
+                inverse(value_of(glm::dmat3(m), factors), known_rank(stack.first(result.size() + 1)));
             if (inverted) row.inverted_product = transpose(*inverted);
         }
         if (row.composite && row.inverted_product) row.apart = difference(*row.composite, *row.inverted_product);
@@ -104,18 +109,16 @@ bool commute(std::span<const StackEntry> stack) {
 std::vector<OrderOfInverses> orders_of_inverses(std::span<const StackEntry> stack, const Transform<World, Object>& m,
                                                 const std::optional<Probe>& probe) {
     const int factors = static_cast<int>(stack.size());
-    int rank = 3;
     std::optional<glm::dmat3> right(glm::dmat3(1.0)), reversed(glm::dmat3(1.0));
     for (const StackEntry& entry : stack) {
-        const NormalMatrices matrices = normal_matrices(glm::dmat3(matrix(entry)));
-        rank = std::min(rank, matrices.rank);
+        const NormalMatrices matrices = normal_matrices(glm::dmat3(matrix(entry)), rank(entry));
         if (!matrices.inverse_transpose) right = reversed = std::nullopt;
         if (!right) continue;
         right = *matrices.inverse_transpose * *right;
         reversed = *reversed * *matrices.inverse_transpose;
     }
     const glm::dmat3 m3(product(stack));
-    const auto truth = normal_matrices(m3, m.affine() ? rank : 3).inverse_transpose;
+    const auto truth = normal_matrices(m3, known_rank(stack)).inverse_transpose;
     const auto true_normal = probe ? m(probe->point, probe->normal) : std::nullopt;
     const auto inverse_only = truth ? std::optional(glm::transpose(*truth)) : std::nullopt;
 

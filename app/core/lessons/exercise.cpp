@@ -113,14 +113,20 @@ void scale_and_turn(Exercise& e, Dice& dice) {
             ", and the rotation as on everything else: (R⁻¹)ᵀ = R.";
 }
 
+// "y − 0.5 · x"; what is multiplied by 1 stands alone.
+std::string plus_multiple(const char* of, double factor, const char* other) {
+    const std::string times = std::abs(factor) == 1.0 ? "" : plain_number(std::abs(factor)) + " · ";
+    return std::string(of) + (factor < 0.0 ? " − " : " + ") + times + other;
+}
+
 void shear(Exercise& e, Dice& dice) {
     const double s = dice.one_of(std::array{-1.0, -0.8, -0.5, 0.5, 0.8, 1.0});
     e.scene.stack = {Shear{.xy = s}};
-    e.task = "M shears: x grows by " + plain_number(s) + " · y.";
+    e.task = "M shears: x becomes " + plus_multiple("x", s, "y") + ".";
     e.hints = {"Level tangents stay level; the others lean with the shear.",
-               "The inverse transpose leaves the normal’s x alone, and changes its y by " + plain_number(-s) + " · x."};
-    e.why = "The inverse slides x back by " + plain_number(s) + " · y; transposed, that becomes y − " +
-            plain_number(s) + " · x for the normal.";
+               "The inverse transpose leaves the normal’s x alone; its y becomes " + plus_multiple("y", -s, "x") + "."};
+    e.why = "The inverse slides x back, to " + plus_multiple("x", -s, "y") + "; transposed, that is " +
+            plus_multiple("y", -s, "x") + " for the normal’s y.";
 }
 
 void mirror(Exercise& e, Dice& dice) {

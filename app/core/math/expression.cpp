@@ -28,9 +28,9 @@ Expression transposed(Expression a) {
     return result;
 }
 
-Expression inverted(Expression a, int rank_at_most) {
+Expression inverted(Expression a, std::optional<int> known_rank) {
     Expression result{.kind = Expression::Kind::Inverse, .meaning = a.meaning};
-    if (a.value) result.value = inverse(*a.value, rank_at_most);
+    if (a.value) result.value = inverse(*a.value, known_rank);
     result.operands.push_back(std::move(a));
     return result;
 }

@@ -34,8 +34,8 @@ std::string_view name(Expression::Kind kind);
 Expression symbol(Symbol symbol, Meaning meaning, std::optional<Value> value);
 Expression zero();
 Expression transposed(Expression a);
-/// `rank_at_most` as in normal_matrices.
-Expression inverted(Expression a, int rank_at_most = 3);
+/// `known_rank` as in normal_matrices.
+Expression inverted(Expression a, std::optional<int> known_rank = {});
 /// Left to right.
 Expression multiplied(std::vector<Expression> factors);
 Expression dot(Expression a, Expression b);

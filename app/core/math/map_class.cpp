@@ -97,8 +97,8 @@ std::string_view name(CofactorGives gives) {
     return kNames.at(static_cast<std::size_t>(gives));
 }
 
-MapClaims claims(const glm::dmat4& m, int rank_at_most) {
-    const NormalMatrices matrices = normal_matrices(glm::dmat3(m), rank_at_most);
+MapClaims claims(const glm::dmat4& m, std::optional<int> known_rank) {
+    const NormalMatrices matrices = normal_matrices(glm::dmat3(m), known_rank);
     MapClaims result;
     result.rank = matrices.rank;
     result.condition = matrices.condition();
@@ -124,13 +124,13 @@ MapClaims claims(const glm::dmat4& m, int rank_at_most) {
     return result;
 }
 
-std::vector<MapClassRow> map_classes(const glm::dmat4& m, int rank_at_most) {
-    const NormalMatrices matrices = normal_matrices(glm::dmat3(m), rank_at_most);
+std::vector<MapClassRow> map_classes(const glm::dmat4& m, std::optional<int> known_rank) {
+    const NormalMatrices matrices = normal_matrices(glm::dmat3(m), known_rank);
     std::vector<MapClassRow> rows;
     for (const MapClass map_class : kMapClasses) {
         MapClassRow row{.map_class = map_class, .contains_m = is_of(map_class, m, matrices)};
         row.of = row.contains_m ? m : example(map_class);
-        row.claims = claims(row.of, row.contains_m ? rank_at_most : 3);
+        row.claims = claims(row.of, row.contains_m ? known_rank : std::nullopt);
         rows.push_back(row);
     }
     return rows;

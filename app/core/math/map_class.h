@@ -48,8 +48,8 @@ struct MapClaims {
     std::optional<double> condition;    ///< σmax/σmin
     std::optional<double> digits_lost;  ///< log10 of the condition number, of the 16 that a double has
 };
-/// `rank_at_most` as in normal_matrices.
-MapClaims claims(const glm::dmat4& m, int rank_at_most = 3);
+/// `known_rank` as in normal_matrices.
+MapClaims claims(const glm::dmat4& m, std::optional<int> known_rank = {});
 
 struct MapClassRow {
     MapClass map_class = MapClass::Translation;
@@ -59,6 +59,6 @@ struct MapClassRow {
     MapClaims claims;
 };
 /// A row for each class, in the order of kMapClasses. At least one contains M.
-std::vector<MapClassRow> map_classes(const glm::dmat4& m, int rank_at_most = 3);
+std::vector<MapClassRow> map_classes(const glm::dmat4& m, std::optional<int> known_rank = {});
 
 }  // namespace normalscope

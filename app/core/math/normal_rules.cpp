@@ -53,6 +53,17 @@ double determinant_by(const glm::dmat3& cofactor, const glm::dmat3& m) {
     return best;
 }
 
+// The determinant where it is more than what errors in the entries' last digits could make of zero; else empty.
+std::optional<double> determinant_beyond_rounding(const glm::dmat3& cofactor, const glm::dmat3& m) {
+    const auto terms = [](double a, double b, double c, double d) { return std::abs(a * b) + std::abs(c * d); };
+    const double all = std::abs(m[0].x) * terms(m[1].y, m[2].z, m[1].z, m[2].y) +
+                       std::abs(m[0].y) * terms(m[1].z, m[2].x, m[1].x, m[2].z) +
+                       std::abs(m[0].z) * terms(m[1].x, m[2].y, m[1].y, m[2].x);
+    const double determinant = determinant_by(cofactor, m);
+    constexpr double kRounding = 16.0 * std::numeric_limits<double>::epsilon();
+    return std::abs(determinant) > kRounding * all ? std::optional(determinant) : std::nullopt;
+}
+
 }  // namespace
 
 double largest_entry(const glm::dmat3& a) {
@@ -143,7 +154,7 @@ std::optional<glm::dmat3> NormalMatrices::by(Rule rule) const {
     return std::nullopt;
 }
 
-NormalMatrices normal_matrices(const glm::dmat3& m3, int rank_at_most) {
+NormalMatrices normal_matrices(const glm::dmat3& m3, std::optional<int> known_rank) {
     NormalMatrices result;
     result.naive = m3;
     // The columns of the cofactor matrix are the cross products of the columns of M3: a surface element a × b goes to
@@ -152,9 +163,15 @@ NormalMatrices normal_matrices(const glm::dmat3& m3, int rank_at_most) {
     result.cofactor = glm::dmat3(exact_cross(m3[1], m3[2]), exact_cross(m3[2], m3[0]), exact_cross(m3[0], m3[1]));
     result.sigma = singular_values(m3).sigma;
     // Below 1e-90 the determinant, and at last the cofactors, would underflow: such a matrix counts as zero.
-    const double smallest = std::max(4.0 * std::numeric_limits<double>::epsilon() * result.sigma.x, 1e-90);
+    constexpr double kZero = 1e-90;
+    const double smallest = std::max(4.0 * std::numeric_limits<double>::epsilon() * result.sigma.x, kZero);
     result.rank = 0;
-    while (result.rank < rank_at_most && result.sigma[result.rank] > smallest) ++result.rank;
+    while (result.rank < known_rank.value_or(3) && result.sigma[result.rank] > smallest) ++result.rank;
+    if (known_rank == 3 && result.rank < 3 && result.sigma.y > kZero)
+        if (const auto d = determinant_beyond_rounding(result.cofactor, m3)) {
+            result.rank = 3;
+            result.sigma.z = std::abs(*d) / result.sigma.x / result.sigma.y;
+        }
     for (int i = result.rank; i < 3; ++i) result.sigma[i] = 0.0;
     result.determinant = result.rank == 3 ? determinant_by(result.cofactor, m3) : 0.0;
     if (result.rank < 2) result.cofactor = glm::dmat3(0.0);

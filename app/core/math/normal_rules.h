@@ -43,8 +43,8 @@ struct NormalMatrices {
     std::optional<glm::dmat3> inverse_transpose;  ///< (M3⁻¹)ᵀ; empty where rank < 3
     glm::dmat3 cofactor{1.0};                     ///< cof(M3) = det(M3) (M3⁻¹)ᵀ; exists always, zero where rank < 2
     double determinant = 1.0;                     ///< det(M3), exactly 0 where rank < 3
-    int rank = 3;                                 ///< numerical rank: singular values above 4ε σmax
-    glm::dvec3 sigma{1.0};                        ///< singular values of M3, descending; exactly 0 beyond the rank
+    int rank = 3;           ///< numerical rank: singular values above 4ε σmax, unless it is known from elsewhere
+    glm::dvec3 sigma{1.0};  ///< singular values of M3, descending; exactly 0 beyond the rank
     /// σmax/σmin; empty where M3 has no inverse.
     std::optional<double> condition() const;
     /// The largest angle in degrees that any normal's naive image can be off: atan k − atan 1/k with k = σmax/σmin.
@@ -55,9 +55,10 @@ struct NormalMatrices {
     std::optional<glm::dmat3> by(Rule rule) const;
 };
 
-/// `rank_at_most`: what is known from elsewhere, as of a product one of whose factors is singular. Rounding may leave
-/// such a product with a tiny third singular value, and its inverse would be noise.
-NormalMatrices normal_matrices(const glm::dmat3& m3, int rank_at_most = 3);
+/// `known_rank`: of a product, the least of its factors' ranks. Below 3, it has at most that one: rounding may leave it with a
+/// tiny third singular value, and its inverse would be noise. With 3 it is invertible, however unevenly it stretches, as
+/// long as rounding has left its determinant any digits. Nothing: unknown.
+NormalMatrices normal_matrices(const glm::dmat3& m3, std::optional<int> known_rank = {});
 
 /// With M3 = U Σ Vᵀ the matrix U Σᵖ Vᵀ: M3 itself at p = 1, the rotation in it at 0, (M3⁻¹)ᵀ at −1, and a way from the
 /// naive rule to the right one in between. A factor of 0 stays 0 as long as p ≥ 0; below that there is no such matrix, and

@@ -84,8 +84,8 @@ std::optional<WorstNormal> worst_normal(const NormalMatrices& matrices, double p
     return worst_normal(steady_singular_values(matrices), power, *degrees);
 }
 
-Decomposition decomposition(const glm::dmat3& m3, int rank_at_most) {
-    const NormalMatrices matrices = normal_matrices(m3, rank_at_most);
+Decomposition decomposition(const glm::dmat3& m3, std::optional<int> known_rank) {
+    const NormalMatrices matrices = normal_matrices(m3, known_rank);
     SingularValues svd = steady_singular_values(matrices);
     // Where σ is 0, u may as well point the other way: then there need be no reflection.
     const double turns = glm::determinant(svd.u) * glm::determinant(svd.v);

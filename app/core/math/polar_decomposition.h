@@ -42,8 +42,8 @@ struct Decomposition {
     std::optional<WorstNormal> worst;  ///< empty where M3 has no inverse
 };
 
-/// `rank_at_most` as in normal_matrices.
-Decomposition decomposition(const glm::dmat3& m3, int rank_at_most = 3);
+/// `known_rank` as in normal_matrices.
+Decomposition decomposition(const glm::dmat3& m3, std::optional<int> known_rank = {});
 
 /// Empty where M3 has no inverse.
 std::optional<WorstNormal> worst_normal(const NormalMatrices& matrices, double power);

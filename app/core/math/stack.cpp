@@ -5,8 +5,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 
 namespace normalscope {
 
@@ -51,6 +53,22 @@ glm::dmat4 matrix(const StackEntry& entry) {
                       entry);
 }
 
+int rank(const StackEntry& entry) {
+    return std::visit(
+        Overload{
+            [](const Scale& s) {
+                return static_cast<int>((s.factors.x != 0.0) + (s.factors.y != 0.0) + (s.factors.z != 0.0));
+            },
+            [](const Rotate&) { return 3; },
+            [](const Translate&) { return 3; },
+            [](const auto& other) {
+                const bool shears = std::is_same_v<std::decay_t<decltype(other)>, Shear>;
+                return normal_matrices(glm::dmat3(matrix(other)), shears ? std::optional(3) : std::nullopt).rank;
+            },
+        },
+        entry);
+}
+
 StackEntry partly(const StackEntry& entry, double part) {
     const auto from_one = [&](const auto& to) { return (1.0 - part) * std::decay_t<decltype(to)>(1.0) + part * to; };
     return std::visit(Overload{
@@ -72,10 +90,26 @@ glm::dmat4 product(std::span<const StackEntry> stack) {
     return with_unit_w(m);
 }
 
+std::optional<int> known_rank(std::span<const StackEntry> stack) {
+    int least = 3;
+    double determinant = 1.0;
+    for (const StackEntry& entry : stack) {
+        const glm::dmat4 m = matrix(entry);
+        if (!is_affine(m)) return std::nullopt;
+        const int of_entry = rank(entry);
+        least = std::min(least, of_entry);
+        determinant *= normal_matrices(glm::dmat3(m), of_entry).determinant;
+    }
+    if (least < 3) return least;
+    constexpr double kSame = 1e-6;
+    const double left = normal_matrices(glm::dmat3(product(stack)), 3).determinant;
+    return std::abs(left - determinant) <= kSame * std::abs(determinant) ? std::optional(3) : std::nullopt;
+}
+
 std::optional<glm::dmat3> composite_of_inverse_transposes(std::span<const StackEntry> stack) {
     glm::dmat3 composite(1.0);
     for (const StackEntry& entry : stack) {
-        const auto single = normal_matrices(glm::dmat3(matrix(entry))).inverse_transpose;
+        const auto single = normal_matrices(glm::dmat3(matrix(entry)), rank(entry)).inverse_transpose;
         if (!single) return std::nullopt;
         composite = *single * composite;
     }

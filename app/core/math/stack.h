@@ -5,6 +5,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -43,6 +44,12 @@ std::string_view name(const StackEntry& entry);
 StackEntry partly(const StackEntry& entry, double part);
 /// The entry's 4×4 matrix; one with the bottom row 0 0 0 s is divided by s, which is the same map.
 glm::dmat4 matrix(const StackEntry& entry);
+/// Of the entry's 3×3 part: numerical of a matrix, as in NormalMatrices; of all else exact, however far the factors are apart.
+int rank(const StackEntry& entry);
+/// What is known of the product's rank, for normal_matrices: the least of its factors' ranks where that is below 3; 3 where all
+/// are invertible and rounding has left the product the determinant that it has by theirs. Empty otherwise, and where an
+/// entry is not affine: the 3×3 part is then not all of its map.
+std::optional<int> known_rank(std::span<const StackEntry> stack);
 /// The product of the entries, the first of which acts on the object first: M = last … first. Divided as an
 /// entry's matrix is.
 glm::dmat4 product(std::span<const StackEntry> stack);

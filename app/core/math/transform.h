@@ -18,10 +18,10 @@ template <class To, class From>
 class Transform {
 public:
     Transform() = default;
-    /// `rank_at_most` as in normal_matrices.
-    explicit Transform(const glm::dmat4& to_from_from, int rank_at_most = 3)
+    /// `known_rank` as in normal_matrices.
+    explicit Transform(const glm::dmat4& to_from_from, std::optional<int> known_rank = {})
         : matrix_(with_unit_w(to_from_from)),
-          normals_(normal_matrices(glm::dmat3(matrix_), rank_at_most)),
+          normals_(normal_matrices(glm::dmat3(matrix_), known_rank)),
           affine_(is_affine(matrix_)) {
         if (!affine_) planes_ = planes_by(matrix_);
     }
@@ -84,8 +84,12 @@ public:
 
     /// The transform back; empty where M has no inverse.
     std::optional<Transform<From, To>> inverse() const {
-        if (affine_ ? !normals_.inverse_transpose || glm::determinant(matrix_) == 0.0 : !planes_) return std::nullopt;
-        return Transform<From, To>(glm::inverse(matrix_));
+        if (!affine_) return planes_ ? std::optional(Transform<From, To>(glm::transpose(*planes_))) : std::nullopt;
+        if (!normals_.inverse_transpose) return std::nullopt;
+        const glm::dmat3 back = glm::transpose(*normals_.inverse_transpose);
+        glm::dmat4 inverse(back);
+        inverse[3] = glm::dvec4(-(back * glm::dvec3(matrix_[3])), 1.0);
+        return Transform<From, To>(inverse, 3);
     }
 
 private:
@@ -104,7 +108,8 @@ Transform<To, From> operator*(const Transform<To, Mid>& outer, const Transform<M
     const bool affine = outer.affine() && inner.affine();
     return Transform<To, From>(
         outer.matrix() * inner.matrix(),
-        affine ? std::min(outer.normal_matrices_by_rule().rank, inner.normal_matrices_by_rule().rank) : 3);
+        affine ? std::optional(std::min(outer.normal_matrices_by_rule().rank, inner.normal_matrices_by_rule().rank))
+               : std::nullopt);
 }
 
 /// The naive rule M3 n, which treats a normal as a vector. Right for rigid maps only; here to be looked at.

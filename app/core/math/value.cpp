@@ -139,8 +139,8 @@ Value transpose(const Value& a) {
     return result;
 }
 
-Value cofactor(const Value& a, int rank_at_most) {
-    Value result = value_of(normal_matrices(dmat3_of(a), rank_at_most).cofactor, 0);
+Value cofactor(const Value& a, std::optional<int> known_rank) {
+    Value result = value_of(normal_matrices(dmat3_of(a), known_rank).cofactor, 0);
     for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c) {
             const int r1 = (r + 1) % 3, r2 = (r + 2) % 3, c1 = (c + 1) % 3, c2 = (c + 2) % 3;
@@ -154,8 +154,8 @@ Value cofactor(const Value& a, int rank_at_most) {
     return result;
 }
 
-std::optional<Value> inverse(const Value& a, int rank_at_most) {
-    const NormalMatrices matrices = normal_matrices(dmat3_of(a), rank_at_most);
+std::optional<Value> inverse(const Value& a, std::optional<int> known_rank) {
+    const NormalMatrices matrices = normal_matrices(dmat3_of(a), known_rank);
     if (!matrices.inverse_transpose) return std::nullopt;
     const Value c = cofactor(a);
     const double determinant = std::abs(matrices.determinant);

@@ -48,9 +48,9 @@ glm::dmat3 dmat3_of(const Value& value);
 // Empty where a shape does not fit or a number overflows.
 std::optional<Value> product(const Value& a, const Value& b);
 Value transpose(const Value& a);
-/// Of a 3×3 matrix; `rank_at_most` as in normal_matrices. Empty where there is none.
-std::optional<Value> inverse(const Value& a, int rank_at_most = 3);
-Value cofactor(const Value& a, int rank_at_most = 3);
+/// Of a 3×3 matrix; `known_rank` as in normal_matrices. Empty where there is none.
+std::optional<Value> inverse(const Value& a, std::optional<int> known_rank = {});
+Value cofactor(const Value& a, std::optional<int> known_rank = {});
 
 struct Difference {
     double largest = 0.0;   ///< |a − b|, of the entry where it is largest

@@ -239,6 +239,18 @@ double surface_area(const Mesh& mesh) {
     return area;
 }
 
+std::vector<double> vertex_areas(const Mesh& mesh) {
+    std::vector<double> areas(mesh.positions.size(), 0.0);
+    double all = 0.0;
+    for (const glm::uvec3& t : mesh.triangles) {
+        const double third = glm::length(area_vector(mesh, t)) / 6.0;
+        all += third;
+        for (int k = 0; k < 3; ++k) areas[t[k]] += third;
+    }
+    if (!(all > 0.0)) std::ranges::fill(areas, 1.0);
+    return areas;
+}
+
 void fit_to_unit_sphere(Mesh& mesh) {
     if (mesh.positions.empty()) return;
     glm::dvec3 low = mesh.positions.front(), high = low;

@@ -61,6 +61,9 @@ std::vector<Site> vertex_sites(const Mesh& mesh);
 std::vector<Site> thinned(std::vector<Site> sites, std::size_t every, std::size_t limit, double surface_area);
 
 double surface_area(const Mesh& mesh);
+/// How much of the surface each vertex stands for: a third of each of its triangles. What has no area, or no triangles, has 1
+/// everywhere.
+std::vector<double> vertex_areas(const Mesh& mesh);
 
 /// Moves and scales the mesh so that its bounding box is centred on the origin and it touches the unit sphere from within.
 void fit_to_unit_sphere(Mesh& mesh);

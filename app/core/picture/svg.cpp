@@ -203,9 +203,13 @@ private:
     }
 
     // As much of it as is in sight and nothing stands before: where that is not clear from its corners, halves of it, down
-    // to a few pixels, or to where doubles do not tell them apart.
-    void add_seen(const WorldTriangle& t, std::vector<PlaneTriangle>& triangles, int halved = 0) const {
-        constexpr int kMostHalved = 80;
+    // to a few pixels, or to where doubles do not tell them apart, or to as many as a picture can show: beside the plane that a
+    // projection sends to infinity there is no end of them.
+    void add_seen(const WorldTriangle& t, std::vector<PlaneTriangle>& triangles) const {
+        int most_halved = 20'000;
+        add_seen(t, triangles, most_halved);
+    }
+    void add_seen(const WorldTriangle& t, std::vector<PlaneTriangle>& triangles, int& most_halved) const {
         if (!std::ranges::all_of(t, [&](const glm::dvec3& p) { return before_eye(p); })) return;
         PlaneTriangle flat{at(t[0]), at(t[1]), at(t[2])};
         if (!in_sight(flat)) return;
@@ -215,10 +219,11 @@ private:
             if (length(i) > length(longest)) longest = i;
         const auto hides = std::ranges::count_if(t, [&](const glm::dvec3& p) { return hidden(p); });
         const double most = (hides == 0 || hides == 3 ? 40.0 : 2.0) * scale_;
-        if (length(longest) > most && halved < kMostHalved) {
-            const glm::dvec3 a = t[longest], b = t[(longest + 1) % 3], c = t[(longest + 2) % 3], half = 0.5 * (a + b);
-            add_seen({a, half, c}, triangles, halved + 1);
-            add_seen({half, b, c}, triangles, halved + 1);
+        const glm::dvec3 a = t[longest], b = t[(longest + 1) % 3], c = t[(longest + 2) % 3], half = 0.5 * (a + b);
+        if (length(longest) > most && half != a && half != b && most_halved > 0) {
+            --most_halved;
+            add_seen({a, half, c}, triangles, most_halved);
+            add_seen({half, b, c}, triangles, most_halved);
             return;
         }
         const double area = turn(flat);

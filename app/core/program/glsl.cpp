@@ -89,18 +89,19 @@ public:
 
         adjoints_.resize(program_.size());
         const std::string gradient = reverse();
-        std::string defined;
-        for (std::uint32_t k = 0; k < program_.size(); ++k)
-            if (const std::string c = condition(k); !c.empty()) defined += (defined.empty() ? "" : " && ") + c;
-        result.defined_everywhere = defined.empty();
-
         const std::string gradient_body = body_;
+
+        body_.clear();
+        defined_.resize(program_.size());
+        for (std::uint32_t k = 0; k < program_.size(); ++k) defined_[k] = defined(k);
+        const std::string defined = defined_.back();
+        result.defined_everywhere = defined.empty();
         for (const Helper& h : kHelpers)
             if ((gradient_body + gradient + value).find(h.needed_by) != std::string::npos) result.source += h.source;
         result.source = std::string(precision_ == Precision::Double ? kDouble : kSingle) + uniforms_ + result.source +
                         "REAL f(REAL3 p) {\n" + forward_body + "    return " + value + ";\n}\n" +
                         "REAL3 gradient(REAL3 p) {\n" + gradient_body + "    return " + gradient + ";\n}\n" +
-                        "bool is_defined(REAL3 p) {\n" + (defined.empty() ? "" : forward_body) + "    return " +
+                        "bool is_defined(REAL3 p) {\n" + (defined.empty() ? "" : forward_body + body_) + "    return " +
                         (defined.empty() ? "true" : defined) + ";\n}\n";
         return result;
     }
@@ -206,6 +207,37 @@ private:
         }
     }
 
+    // Whether the step has a real value, as a name of what has been computed; empty where it always has. What `where` does not
+    // take need not have any.
+    std::string defined(std::uint32_t k) {
+        const Instruction& i = program_[k];
+        const int count = operands(i.code);
+        std::vector<std::string> all;
+        const auto demand = [&](const std::string& c) {
+            if (!c.empty() && std::ranges::count(all, c) == 0) all.push_back(c);
+        };
+        demand(condition(k));
+        if (i.code == Code::Where) {
+            const std::string &first = defined_[i.a], &second = defined_[i.c];
+            const auto or_always = [](const std::string& c) { return c.empty() ? "true" : c; };
+            demand(defined_[i.b]);
+            if (first == second)
+                demand(first);
+            else
+                demand("(" + names_[i.b] + " <= 0.0 ? " + or_always(first) + " : " + or_always(second) + ")");
+        } else {
+            if (count > 0) demand(defined_[i.a]);
+            if (count > 1) demand(defined_[i.b]);
+        }
+        if (all.size() < 2 && condition(k).empty() && i.code != Code::Where) return all.empty() ? "" : all.front();
+        if (all.empty()) return {};
+        const std::string name = "d" + std::to_string(k);
+        body_ += "    bool " + name + " = ";
+        for (const std::string& c : all) body_ += (&c == &all.front() ? "" : " && ") + c;
+        body_ += ";\n";
+        return name;
+    }
+
     void contribute(std::uint32_t step, const std::string& term) {
         if (!program_[step].varies) return;
         std::string& sum = adjoints_[step];
@@ -305,7 +337,7 @@ private:
     Precision precision_;
     std::string uniforms_, body_;
     int temporaries_ = 0;
-    std::vector<std::string> names_, adjoints_;
+    std::vector<std::string> names_, adjoints_, defined_;
 };
 
 }  // namespace

@@ -7,8 +7,12 @@
 #include "core/program/program.h"
 #include "core/program/waves.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 namespace normalscope::formulas {
 
@@ -75,14 +79,52 @@ void forward(const Program& program, const std::array<T, 3>& at, std::span<T> va
     }
 }
 
+/// Which steps the value is made of: −1 for those that count, 1 for those that only stand in what where, min or max did not
+/// take; both, for intervals, where it depends. Empty where all count.
+template <class T>
+std::vector<T> taken_steps(const Program& program, std::span<const T> values) {
+    using namespace real;
+    const auto chooses = [](const Instruction& i) {
+        return i.varies && (i.code == Code::Where || i.code == Code::Min || i.code == Code::Max);
+    };
+    if (std::none_of(program.begin(), program.end(), chooses)) return {};
+    const T counts(-1.0), left_out(1.0);
+    std::vector<T> taken(program.size(), left_out);
+    const auto take = [&](std::uint32_t step, const T& from) { taken[step] = min(taken[step], from); };
+    taken.back() = counts;
+    for (std::size_t k = program.size(); k-- > 0;) {
+        const Instruction& i = program[k];
+        const T from = taken[k];
+        const auto choose = [&](std::uint32_t first, const T& condition, std::uint32_t second) {
+            take(first, slope_where(slope_where(from, condition, left_out), from, left_out));
+            take(second, slope_where(slope_where(left_out, condition, from), from, left_out));
+        };
+        const T &a = values[i.a], &b = values[i.b];
+        switch (i.code) {
+            case Code::Where:
+                take(i.b, from);
+                choose(i.a, b, i.c);
+                break;
+            case Code::Min: choose(i.a, a - b, i.b); break;
+            case Code::Max: choose(i.a, b - a, i.b); break;
+            default:
+                if (operands(i.code) > 0) take(i.a, from);
+                if (operands(i.code) > 1) take(i.b, from);
+        }
+    }
+    return taken;
+}
+
 /// ∂value/∂(x, y, z) by reverse accumulation: from the last step back, every step hands its derivative on to its
 /// operands, so that the whole gradient costs a few times the value, however many variables there are. (Griewank and
-/// Walther, "Evaluating Derivatives", chapter 3.) `values` as forward() left them, `d` as many.
+/// Walther, "Evaluating Derivatives", chapter 3.) `values` as forward() left them, `d` as many. What where, min or max did
+/// not take has no part in it, even where it has no derivative, or no value.
 template <class T>
 std::array<T, 3> reverse(const Program& program, std::span<const T> values, std::span<T> d) {
     using namespace real;
     const T zero(0.0), one(1.0);
     std::array<T, 3> gradient{zero, zero, zero};
+    const std::vector<T> taken = taken_steps(program, values);
     for (T& v : d) v = zero;
     d[program.size() - 1] = one;
     for (std::size_t k = program.size(); k-- > 0;) {
@@ -94,6 +136,7 @@ std::array<T, 3> reverse(const Program& program, std::span<const T> values, std:
             continue;
         }
         const T &a = values[i.a], &b = values[i.b];
+        const T before_a = d[i.a], before_b = d[i.b];  // what only where hands on to, its c, it does by itself
         const bool left = program[i.a].varies, right = program[i.b].varies;
         switch (i.code) {
             case Code::Add:
@@ -151,6 +194,9 @@ std::array<T, 3> reverse(const Program& program, std::span<const T> values, std:
                 break;
             default: break;
         }
+        if (taken.empty()) continue;
+        d[i.a] = slope_where(d[i.a], taken[k], before_a);
+        d[i.b] = slope_where(d[i.b], taken[k], before_b);
     }
     return gradient;
 }

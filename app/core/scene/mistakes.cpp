@@ -13,7 +13,7 @@ namespace {
 std::optional<glm::dmat3> inverses_not_reversed(const std::vector<StackEntry>& stack) {
     glm::dmat3 composite(1.0);
     for (const StackEntry& entry : stack) {
-        const auto single = normal_matrices(glm::dmat3(matrix(entry))).inverse_transpose;
+        const auto single = normal_matrices(glm::dmat3(matrix(entry)), rank(entry)).inverse_transpose;
         if (!single) return std::nullopt;
         composite = composite * *single;
     }

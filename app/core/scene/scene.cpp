@@ -40,13 +40,7 @@ Transform<World, Object> world_from_object(const Scene& scene) {
                 throw InputError("stack",
                                  "the product of its " + std::to_string(scene.stack.size()) +
                                      " entries is too large for a number; use smaller scales or fewer entries");
-    int rank = 3;  // a product has at most the rank of each factor
-    for (const StackEntry& entry : stack) {
-        const glm::dmat4 a = matrix(entry);
-        if (!is_affine(a)) return Transform<World, Object>(m);  // of an M3 that is not all of its map that is not true
-        rank = std::min(rank, normal_matrices(glm::dmat3(a)).rank);
-    }
-    return Transform<World, Object>(m, rank);
+    return Transform<World, Object>(m, known_rank(stack));
 }
 
 }  // namespace normalscope

@@ -43,8 +43,8 @@ std::optional<ErrorHistogram> error_histogram(const Mesh& mesh, const NormalMap&
     const std::size_t step = std::max<std::size_t>(mesh.normals.size() / std::max<std::size_t>(most, 1), 1);
     ErrorHistogram histogram;
     std::array<double, 90> bins{};
-    std::size_t count = 0;
-    double sum = 0.0;
+    const std::vector<double> areas = vertex_areas(mesh);
+    double sum = 0.0, area = 0.0;
     for (std::size_t i = 0; i < mesh.normals.size(); i += step) {
         const Normal<Object> n{mesh.normals[i]};
         const auto right = world_from_object(Point<Object>{mesh.positions[i]}, n);
@@ -52,17 +52,17 @@ std::optional<ErrorHistogram> error_histogram(const Mesh& mesh, const NormalMap&
         if (!error) continue;
         // What is right but for rounding belongs into the first bin, and 90° into the one before it.
         const auto bin = static_cast<std::size_t>(std::max(*error - 1e-9, 0.0) / histogram.bin_degrees);
-        bins[std::min(bin, bins.size() - 1)] += 1.0;
+        bins[std::min(bin, bins.size() - 1)] += areas[i];
         histogram.worst_degrees = std::max(histogram.worst_degrees, *error);
-        sum += *error;
-        ++count;
+        sum += areas[i] * *error;
+        area += areas[i];
     }
-    if (count == 0) return std::nullopt;
-    histogram.mean_degrees = sum / static_cast<double>(count);
+    if (!(area > 0.0)) return std::nullopt;
+    histogram.mean_degrees = std::min(sum / area, histogram.worst_degrees);
     if (histogram.worst_degrees > 90.0 + 1e-6) histogram.most_degrees = 180.0;
     const auto used = static_cast<std::ptrdiff_t>(histogram.most_degrees / histogram.bin_degrees);
     histogram.shares.assign(bins.begin(), bins.begin() + used);
-    for (double& share : histogram.shares) share /= static_cast<double>(count);
+    for (double& share : histogram.shares) share /= area;
     return histogram;
 }
 

@@ -10,11 +10,11 @@
 
 namespace normalscope {
 
-/// How a rule's error is spread over the normals of a surface.
+/// How a rule's error is spread over a surface, by its area before M.
 struct ErrorHistogram {
     double bin_degrees = 2.0;
     double most_degrees = 90.0;  ///< where the last bin ends: 180 where a mistake turns normals farther than 90°
-    std::vector<double> shares;  ///< of the normals, a bin; they add up to 1
+    std::vector<double> shares;  ///< of the area, a bin; they add up to 1
     double worst_degrees = 0.0, mean_degrees = 0.0;
 };
 /// Of at most `most` normals, evenly picked, so that a large mesh does not slow down the dragging. Empty where M has no

@@ -95,7 +95,7 @@ ImplicitSurface::ImplicitSurface(const FormulaSurface& source)
     const formulas::Interval f = formulas::value(program_, all);
     zero_everywhere_ = f.low == 0.0 && f.high == 0.0;
     if (!zero_everywhere_)
-        add_where_zero(*this, all, kRegionDepth, true, source.clip == Clip::Ball ? source.bound : 0.0, region_);
+        add_where_zero(*this, all, kRegionDepth, true, source.clip == Clip::Ball ? ball() : 0.0, region_);
     if (!region_) return;
     if (!degree_) zero_throughout_ = solid_of_zeros(*this);
     if (zero_throughout_) {
@@ -132,7 +132,7 @@ std::optional<formulas::Box> ImplicitSurface::close_region() const {
     std::optional<formulas::Box> box = region_;
     for (int i = 0; i < kMostShrinks && box; ++i) {
         std::optional<formulas::Box> closer;
-        add_where_zero(*this, *box, kRegionDepth, true, source_.clip == Clip::Ball ? source_.bound : 0.0, closer);
+        add_where_zero(*this, *box, kRegionDepth, true, source_.clip == Clip::Ball ? ball() : 0.0, closer);
         if (!closer) return std::nullopt;
         const glm::dvec3 before = box->high - box->low, after = closer->high - closer->low;
         box = closer;
@@ -163,7 +163,7 @@ bool ImplicitSurface::lies_on(const glm::dvec3& p) const {
 }
 
 bool ImplicitSurface::inside_clip(const glm::dvec3& p) const {
-    return source_.clip == Clip::Ball ? glm::dot(p, p) <= source_.bound * source_.bound
+    return source_.clip == Clip::Ball ? glm::dot(p, p) <= ball() * ball()
                                       : glm::all(glm::lessThanEqual(glm::abs(p), glm::dvec3(source_.bound)));
 }
 
@@ -193,7 +193,7 @@ std::optional<std::array<double, 2>> ImplicitSurface::clipped(const Ray<Object>&
     if (source_.clip == Clip::Ball) {
         const double dd = glm::dot(d, d), middle = -glm::dot(o, d) / dd;
         const glm::dvec3 nearest = o + middle * d;
-        const double inside = source_.bound * source_.bound - glm::dot(nearest, nearest);
+        const double inside = ball() * ball() - glm::dot(nearest, nearest);
         if (!(inside > 0.0)) return std::nullopt;
         const double half = std::sqrt(inside / dd);
         from = std::max(from, middle - half);

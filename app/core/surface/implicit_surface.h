@@ -59,6 +59,9 @@ public:
     void hide() { region_.reset(); }
 
     bool inside_clip(const glm::dvec3& p) const;
+    /// The radius of the ball that cuts the surface off: a hair beyond its bound, so that what ends just there, such as
+    /// x² + y² + z² = 4 within 2, is whole.
+    double ball() const { return (1.0 + 1e-4) * source_.bound; }
     /// f is 0 at p but for rounding, held against f and ∇f around: small alone says nothing, and at a pole f is large.
     bool lies_on(const glm::dvec3& p) const;
     /// Points all over the ball or cube, as of a grid with so many a side, but off the planes of symmetry, on which f may be

@@ -234,8 +234,8 @@ void SurfaceNet::trim() {
         if (outside[v]) moved.push_back(v);
     in_threads(moved.size(), [&](std::size_t begin, std::size_t end) {
         for (const std::uint32_t v : std::span(moved).subspan(begin, end - begin)) {
-            positions_[v] = onto_ball(surface_.program(), surface_.source().bound, positions_[v], kNewtonSteps,
-                                      4.0 * largest_step_);
+            positions_[v] =
+                onto_ball(surface_.program(), surface_.ball(), positions_[v], kNewtonSteps, 4.0 * largest_step_);
             const formulas::Sample s = surface_.at({positions_[v]});
             gradients_[v] = s.gradient;
             lost_[v] = careful_ && !(std::abs(s.value) <= 1e-6 * largest_step_ * glm::length(s.gradient)) ? 1 : 0;

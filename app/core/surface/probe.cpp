@@ -24,7 +24,8 @@ namespace {
 // What a matrix that stretches by `most` leaves of a vector that it should send to zero is but rounding.
 Normal<World> without_rounding(Normal<World> n, double most) {
     constexpr double kRoundings = 32.0 * std::numeric_limits<double>::epsilon();
-    return glm::length(n.xyz) <= kRoundings * most ? Normal<World>{} : n;
+    const double largest = std::max({std::abs(n.xyz.x), std::abs(n.xyz.y), std::abs(n.xyz.z)});  // no square underflows
+    return largest <= kRoundings * most ? Normal<World>{} : n;
 }
 
 }  // namespace

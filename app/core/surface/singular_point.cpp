@@ -85,15 +85,19 @@ double spread(const SiteCurves& curves) {
 bool is_singular(const ImplicitSurface& surface, Point<Object> p) {
     const glm::dvec3 gradient = surface.at(p).gradient;
     if (!finite(gradient) || gradient == glm::dvec3(0.0)) return true;
+    // Against the smaller side along each axis: beside what grows as an exponential does all else would seem to vanish.
     double around = 0.0;
     const double reach = kAround * surface.source().bound;
-    for (glm::length_t i = 0; i < 3; ++i)
+    for (glm::length_t i = 0; i < 3; ++i) {
+        double smaller = formulas::kInfinity;
         for (const double side : {-reach, reach}) {
             glm::dvec3 q = p.xyz;
             q[i] += side;
             const double length = glm::length(surface.at({q}).gradient);
-            if (std::isfinite(length)) around = std::max(around, length);
+            if (std::isfinite(length)) smaller = std::min(smaller, length);
         }
+        if (std::isfinite(smaller)) around = std::max(around, smaller);
+    }
     return glm::length(gradient) < kVanished * around;
 }
 

@@ -9,6 +9,7 @@
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <tuple>
@@ -128,13 +129,17 @@ namespace {
 // Of equally bad ones the first is named: a rounding, which differs from library to library, must not choose.
 constexpr double kEqualRadians = 1e-12, kEqualDegrees = 1e-10;
 
+// Rounding must not make it more than the worst, nor may what has normals but no area leave none.
+double mean_of(double sum, double area, double worst) { return area > 0.0 ? std::min(sum / area, worst) : worst; }
+
 // Of a 3×3 matrix, where M is affine and has an inverse.
 std::optional<ErrorStatistics> linear_error_statistics(const Mesh& mesh, const glm::dmat3& shown,
                                                        const NormalMatrices& matrices) {
     const glm::dmat3& inverse_transpose = *matrices.inverse_transpose;
     const bool naive = shown == matrices.naive;
-    double sum = 0.0, worst_angle = -1.0;
-    std::size_t count = 0, worst = 0;
+    const std::vector<double> areas = vertex_areas(mesh);
+    double sum = 0.0, area = 0.0, worst_angle = -1.0;
+    std::size_t worst = 0;
     for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
         const glm::dvec3& n = mesh.normals[i];
         if (n == glm::dvec3(0.0)) continue;
@@ -143,18 +148,18 @@ std::optional<ErrorStatistics> linear_error_statistics(const Mesh& mesh, const g
         const double sine = glm::length(cross), cosine = naive ? glm::dot(n, n) : glm::dot(a, b);
         if (sine == 0.0 && cosine == 0.0) continue;
         const double angle = std::atan2(sine, cosine);
-        sum += angle;
-        ++count;
+        sum += areas[i] * angle;
+        area += areas[i];
         if (angle > worst_angle + kEqualRadians) {
             worst_angle = angle;
             worst = i;
         }
     }
-    if (count == 0) return std::nullopt;
+    if (worst_angle < 0.0) return std::nullopt;
     ErrorStatistics statistics;
     statistics.worst_degrees =
         angle_degrees(shown * mesh.normals[worst], inverse_transpose * mesh.normals[worst]).value_or(0.0);
-    statistics.mean_degrees = glm::degrees(sum / static_cast<double>(count));
+    statistics.mean_degrees = mean_of(glm::degrees(sum), area, statistics.worst_degrees);
     statistics.at = {mesh.positions[worst]};
     return statistics;
 }
@@ -172,21 +177,23 @@ std::optional<ErrorStatistics> error_statistics(const Mesh& mesh, const NormalMa
     if (world_from_object.affine() && matrices.inverse_transpose && naive.w == 0.0)
         return linear_error_statistics(mesh, glm::dmat3(naive.matrix), matrices);
     ErrorStatistics statistics;
-    double sum = 0.0;
+    const std::vector<double> areas = vertex_areas(mesh);
+    double sum = 0.0, area = 0.0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < mesh.normals.size(); ++i) {
         const Normal<Object> n{mesh.normals[i]};
         const auto right = world_from_object(Point<Object>{mesh.positions[i]}, n);
         const auto error = right ? angle_degrees(naive(n).xyz, right->xyz) : std::nullopt;
         if (!error) continue;
-        sum += *error;
+        sum += areas[i] * *error;
+        area += areas[i];
         if (count++ == 0 || *error > statistics.worst_degrees + kEqualDegrees) {
             statistics.worst_degrees = *error;
             statistics.at = {mesh.positions[i]};
         }
     }
     if (count == 0) return std::nullopt;
-    statistics.mean_degrees = sum / static_cast<double>(count);
+    statistics.mean_degrees = mean_of(sum, area, statistics.worst_degrees);
     return statistics;
 }
 

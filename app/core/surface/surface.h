@@ -52,8 +52,8 @@ Mesh flat_shaded(const Mesh& mesh);
 /// How far the naive rule is off over the normals of a surface as drawn.
 struct ErrorStatistics {
     double worst_degrees = 0.0;
-    double mean_degrees = 0.0;
-    Point<Object> at;  ///< where the worst one is
+    double mean_degrees = 0.0;  ///< by area, before M
+    Point<Object> at;           ///< where the worst one is
 };
 
 /// Empty where the inverse transpose does not exist, or the surface has no normal.

@@ -65,9 +65,11 @@ void histogram_plot(const Look& look, const ErrorHistogram& histogram, const std
                     const std::optional<ErrorStatistics>& exact) {
     const double worst = exact ? exact->worst_degrees : histogram.worst_degrees;
     const double mean = exact ? exact->mean_degrees : histogram.mean_degrees;
-    line_key(look, Plot::Line::Dashed, look.text, "mean " + in_degrees(mean, 2), "Averaged over the normals.");
+    line_key(look, Plot::Line::Dashed, look.text, "mean " + in_degrees(mean, 2),
+             "Averaged over the object's surface, by area.");
     ImGui::SameLine(0, look.px(18));
-    line_key(look, Plot::Line::Solid, look.bad, "worst " + in_degrees(worst, 2), "The largest over the normals.");
+    line_key(look, Plot::Line::Solid, look.bad, "worst " + in_degrees(worst, 2),
+             "The largest at any normal of the mesh.");
     if (bound) {
         ImGui::SameLine(0, look.px(18));
         line_key(look, Plot::Line::Dotted, look.text, "bound " + in_degrees(bound, 2),
@@ -80,8 +82,7 @@ void histogram_plot(const Look& look, const ErrorHistogram& histogram, const std
                      .ticks = histogram.most_degrees > 90.0 ? std::span<const double>(kHalfTurn) : kQuarterTurn,
                      .unit = "°",
                      .title = "angle off the true normal"},
-                    {.high = top, .ticks = shares, .unit = " %", .title = "share of the surface's normals"},
-                    plot_height(look));
+                    {.high = top, .ticks = shares, .unit = " %", .title = "share of the surface"}, plot_height(look));
     for (std::size_t i = 0; i < histogram.shares.size(); ++i) {
         if (histogram.shares[i] <= 0.0) continue;
         const double from = histogram.bin_degrees * static_cast<double>(i), to = from + histogram.bin_degrees;
@@ -98,7 +99,7 @@ void histogram_plot(const Look& look, const ErrorHistogram& histogram, const std
     const auto bin =
         std::min(static_cast<std::size_t>(plot.x_under_pointer() / histogram.bin_degrees), histogram.shares.size() - 1);
     const double from = histogram.bin_degrees * static_cast<double>(bin);
-    ImGui::SetTooltip("%s° to %s°: %s %% of the normals", brief(from).c_str(),
+    ImGui::SetTooltip("%s° to %s°: %s %% of the surface", brief(from).c_str(),
                       brief(from + histogram.bin_degrees).c_str(), fixed(100.0 * histogram.shares[bin], 1).c_str());
 }
 

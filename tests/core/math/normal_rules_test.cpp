@@ -83,6 +83,31 @@ TEST(NormalRules, RoundingDoesNotMakeAFlatObjectInvertible) {
     EXPECT_FALSE(world_from_object(scene)(Normal<Object>{{1, 0, 0}}));
 }
 
+TEST(NormalRules, WhatIsInvertibleStaysSoHoweverUnevenlyItStretches) {
+    const auto of = [](std::vector<StackEntry> stack) {
+        Scene scene;
+        scene.stack = std::move(stack);
+        return world_from_object(scene).normal_matrices_by_rule();
+    };
+    const NormalMatrices uneven = of({Scale{{1e8, 1e-8, 1}}});
+    EXPECT_EQ(uneven.rank, 3);
+    EXPECT_NEAR(uneven.determinant, 1.0, 1e-15);
+    EXPECT_NEAR(*uneven.condition() / 1e16, 1.0, 1e-12);
+    EXPECT_NEAR((*uneven.inverse_transpose)[1].y / 1e8, 1.0, 1e-15);
+    const NormalMatrices back = of({Scale{{1e8, 1e-8, 1}}, Scale{{1e-8, 1e8, 1}}});
+    EXPECT_EQ(back.rank, 3);
+    EXPECT_NEAR(back.determinant, 1.0, 1e-15);
+    const NormalMatrices shear = of({Shear{.xy = 1e9}});
+    EXPECT_EQ(shear.rank, 3);
+    EXPECT_EQ(shear.determinant, 1.0);
+    EXPECT_NEAR(shear.sigma.z * 1e9, 1.0, 1e-6);
+    EXPECT_EQ(of({Shear{.xy = 1e9}, Shear{.xy = -1e9}}).rank, 3);
+    // Shears that undo each other's effect, entries that are noise, and products that rounding leaves without digits are none.
+    EXPECT_EQ(of({Shear{.xy = 1, .yx = 1}}).rank, 2);
+    EXPECT_EQ(of({Matrix{glm::dmat4(glm::dmat3(1, 0, 0, 0, 6e-17, 0, 0, 0, 1))}}).rank, 2);
+    EXPECT_EQ(of({Rotate{{1, 2, 3}, 40}, Scale{{1e12, 1, 1e-12}}, Rotate{{3, 1, 2}, 70}}).rank, 2);
+}
+
 TEST(NormalRules, AnglesAreAccurateAtBothEnds) {
     for (const double degrees : {0.0, 1e-9, 1e-3, 45.0, 90.0, 179.999, 180.0}) {
         const double a = degrees * std::acos(-1.0) / 180.0;
@@ -110,6 +135,15 @@ TEST(Stack, ShearSlidesCoordinates) {
     EXPECT_EQ(m * glm::dvec4(0, 1, 0, 1), glm::dvec4(2, 1, 0, 1));
     EXPECT_EQ(m * glm::dvec4(0, 0, 1, 1), glm::dvec4(0, 3, 1, 1));
     EXPECT_EQ(m * glm::dvec4(1, 0, 0, 1), glm::dvec4(1, 0, 5, 1));
+}
+
+TEST(Transform, InverseKeepsTheDigitsThatTheConditionLeaves) {
+    for (const double k : {1e2, 1e4, 1e6}) {
+        const glm::dmat4 m = product(std::vector<StackEntry>{Rotate{{1, 2, 3}, 33}, Scale{{k, 1, 1 / k}},
+                                                             Rotate{{3, -1, 2}, 71}, Translate{{4, 5, 6}}});
+        const glm::dmat4 round = m * Transform<World, Object>(m).inverse()->matrix();
+        for (int c = 0; c < 4; ++c) EXPECT_LT(glm::length(round[c] - glm::dmat4(1.0)[c]), 1e-14 * k * k) << k;
+    }
 }
 
 TEST(Transform, InverseGoesBack) {

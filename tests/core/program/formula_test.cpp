@@ -95,6 +95,24 @@ TEST(Formula, Intervals) {
     EXPECT_FALSE(std::isnan(over("x^1e9 - x^1e9 y", 0, 2).low));
 }
 
+TEST(Formula, WhatIsNotTakenHasNoPartInTheGradient) {
+    const auto at = [](std::string_view text, glm::dvec3 p) {
+        const Program f = program(text);
+        const Sample one = sample(f, p);
+        std::vector<Sample> many(9);
+        samples(f, std::vector<glm::dvec3>(9, p), many);
+        EXPECT_EQ(many.back().gradient, one.gradient) << text;
+        return one.gradient;
+    };
+    const glm::dvec3 p(1, 0.5, 0);
+    EXPECT_EQ(at("where(sqrt(-x), x, x^2+y)", p), glm::dvec3(2, 1, 0));
+    EXPECT_EQ(at("where(x^2+y, x-2, log(-x))", p), glm::dvec3(2, 1, 0));
+    EXPECT_EQ(at("where(where(log(-x), sqrt(-x), x), x, x^2+y)", p), glm::dvec3(2, 1, 0));
+    EXPECT_EQ(at("min(x^2+y, sqrt(x^2-1)+9)", p), glm::dvec3(2, 1, 0));  // whose slope is infinite here
+    EXPECT_EQ(at("max(x^2+y, sqrt(x^2-1)-9)", p), glm::dvec3(2, 1, 0));
+    EXPECT_TRUE(std::isnan(at("cbrt(x-1)^3 + where(x, x, 1) + y", p).x));  // 0 times infinity, which counts
+}
+
 TEST(Formula, PolynomialsAreMultipliedOutExactly) {
     Graph graph;
     const auto p = polynomial(graph, parse(graph, "(x+y/3)^2 - x^2 + 2z(x - 1)"));

@@ -1,7 +1,9 @@
 #include "core/surface/error_measures.h"
 
+#include "core/math/stack.h"
 #include "core/math/transform.h"
 #include "core/surface/shapes.h"
+#include "core/surface/surface.h"
 
 #include <gtest/gtest.h>
 
@@ -54,6 +56,37 @@ TEST(ErrorMeasures, MeasuredPointsMeetTheClosedForm) {
             EXPECT_LE(measured.degrees, error_bound_degrees(measured.k) + 1e-6) << measured.k;
             EXPECT_NEAR(measured.degrees, error_bound_degrees(measured.k), 1.0) << measured.k;
         }
+}
+
+TEST(ErrorStatistics, TheMeanIsByAreaHoweverTheMeshIsCut) {
+    // A unit square, z = 0, and beside it another that leans, cut into strips.
+    const auto wedge = [](int strips) {
+        Mesh mesh;
+        const auto add = [&](glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 d) {
+            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+            const glm::dvec3 n = glm::normalize(glm::cross(b - a, c - a));
+            for (const glm::dvec3& p : {a, b, c, d}) {
+                mesh.positions.push_back(p);
+                mesh.normals.push_back(n);
+            }
+            mesh.triangles.emplace_back(first, first + 1, first + 2);
+            mesh.triangles.emplace_back(first, first + 2, first + 3);
+        };
+        add({0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0});
+        for (int i = 0; i < strips; ++i) {
+            const double y = 1.0 + static_cast<double>(i) / strips, z = y - 1.0, step = 1.0 / strips;
+            add({0, y, z}, {1, y, z}, {1, y + step, z + step}, {0, y + step, z + step});
+        }
+        return mesh;
+    };
+    const Transform<World, Object> m(matrix(Scale{{1, 2, 1}}));
+    const double error = *error_degrees(m.normal_matrices_by_rule(), {{0, -1, 1}}), root = std::sqrt(2.0);
+    for (const int strips : {1, 7, 50}) {
+        const Mesh mesh = wedge(strips);
+        EXPECT_NEAR(error_statistics(mesh, m.normal_matrices_by_rule())->mean_degrees, error * root / (1.0 + root),
+                    1e-9);
+        EXPECT_NEAR(error_histogram(mesh, {.matrix = m.matrix()}, m)->mean_degrees, error * root / (1.0 + root), 1e-9);
+    }
 }
 
 }  // namespace

@@ -138,6 +138,12 @@ TEST(SingularPoint, AProbeOnANodeStays) {
     EXPECT_EQ(probe->point.xyz, glm::dvec3(s, s, 0.0));
 }
 
+TEST(SingularPoint, HoweverSteeplyFGrows) {
+    EXPECT_FALSE(is_singular(surface("sinh(300(x^2+y^2+z^2))=sinh(300)"), {{1, 0, 0}}));
+    EXPECT_FALSE(is_singular(surface("x^1000-y"), {{1, 1, 0}}));
+    EXPECT_FALSE(is_singular(surface("cosh(400x)-cosh(200)"), {{0.5, 0.3, 0}}));
+}
+
 TEST(SingularPoint, ASmoothSurfaceHasNone) {
     const ImplicitSurface sphere = surface("x^2+y^2+z^2-1");
     EXPECT_FALSE(is_singular(sphere, {{1.0, 0.0, 0.0}}));
