@@ -99,7 +99,7 @@ def include_faults(rooms, files):
         room = room_of(file)
         where = file.relative_to(ROOT)
         if room not in rooms:
-            yield f"{where}: {room} is no room of {TABLE.name}"
+            yield f"{where}: {room} is not a room of {TABLE.name}"
             continue
         allowed = closure(rooms, room)
         for number, ours, header in includes(file):

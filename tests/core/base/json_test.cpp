@@ -26,8 +26,8 @@ TEST(ReadJson, SaysWhereAndWhy) {
     const std::vector<std::pair<std::string, std::string>> bad{
         {R"({"a": {"b": 1, "c": 2, "b": 3}})", "a.b: is there twice; keep one"},
         {R"([0, {"a": [1, 1e999]}])", "1.a.1: 1e999 is too large for a number"},
-        {R"([NaN])", "0: NaN is no number in JSON"},
-        {R"({"a": [1, -Infinity]})", "a.1: -Infinity is no number in JSON"},
+        {R"([NaN])", "0: NaN is not a number in JSON"},
+        {R"({"a": [1, -Infinity]})", "a.1: -Infinity is not a number in JSON"},
         {std::string(41, '['), "nested more than 40 levels deep"},
         {std::string(100'000, '['), "nested more than 40 levels deep"},
         {"", "not valid JSON: it is empty"},
