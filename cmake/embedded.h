@@ -7,7 +7,7 @@
 
 namespace embedded {
 
-// The contents of a file such as "shaders/surface.vert" or "fonts/OpenSans-Regular.ttf"; none for an unknown name.
+// The contents of a file such as "shaders/scene.vert" or "fonts/OpenSans-Regular.ttf"; none for an unknown name.
 std::optional<std::string_view> file(std::string_view name);
 
 // Every name there is: each folder's files in alphabetical order.

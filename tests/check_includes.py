@@ -3,7 +3,8 @@
 
 Each folder of app/ is a room, and a row of the table names the rooms and the libraries that its files may include.
 Beyond that, CMakeLists.txt must link each room to just these rooms, no files may include each other in a circle (a .cpp
-and its .h count as one), and a test stands in the folder of tests/ that has its room's name.
+and its .h count as one), a test stands in the folder of tests/ that has its room's name, and a comment that names a file
+names one that is there.
 """
 
 import pathlib
@@ -32,6 +33,7 @@ LIBRARIES = {
     "assets": r"embedded\.h$",
 }
 
+PATH = re.compile(r"(?<![\w./-])((\w+)/[\w./-]+\.(?:h|cpp|vert|frag|glsl|md|py|mjs|cmake))\b")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)[">]')
 ROW = re.compile(r"^\| `([^`]+)` \|[^|]*\|([^|]*)\|([^|]*)\|")
 
@@ -99,7 +101,7 @@ def include_faults(rooms, files):
         room = room_of(file)
         where = file.relative_to(ROOT)
         if room not in rooms:
-            yield f"{where}: {room} is no room of {TABLE.name}"
+            yield f"{where}: {room} is not a room of {TABLE.name}"
             continue
         allowed = closure(rooms, room)
         for number, ours, header in includes(file):
@@ -111,6 +113,18 @@ def include_faults(rooms, files):
                 yield f"{where}:{number}: write the path of {header} from app/"
             elif room_of(APP / header) not in allowed:
                 yield f"{where}:{number}: must not include {header}: {room} may include {', '.join(sorted(allowed))}"
+
+
+def path_faults():
+    """A comment that names a file of the program's, from app/ or from the root, names one that is there."""
+    tops = {folder.name for base in (ROOT, APP) for folder in base.iterdir() if folder.is_dir()} - {"build"}
+    sources = [file for top in ("app", "shaders", "tests", "cmake") for file in sorted((ROOT / top).rglob("*.*"))]
+    for file in [file for file in sources if re.search(r"\.(h|cpp|py|mjs|js|vert|frag|glsl|cmake|in)$", file.name)]:
+        for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+            comment = re.search(r"//.*|^\s*# .*|$", line)[0]
+            for path, top in PATH.findall(comment):
+                if top in tops and not (APP / path).exists() and not (ROOT / path).exists():
+                    yield f"{file.relative_to(ROOT)}:{number}: there is no {path}"
 
 
 def test_faults(rooms):
@@ -151,6 +165,7 @@ def main():
     rooms = table()
     files = sorted(file for file in APP.rglob("*") if file.suffix in {".h", ".cpp"})
     faults = [*table_faults(rooms), *include_faults(rooms, files), *test_faults(rooms), *pair_faults(files)]
+    faults += path_faults()
     faults += [f"a circle of includes: {', '.join(map(str, part))}" for part in circles(files)]
     print("\n".join(faults) or f"{len(files)} files in {len(rooms)} rooms")
     return bool(faults)

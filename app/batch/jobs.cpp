@@ -67,8 +67,8 @@ void send(int pipe, std::uint64_t i, std::string_view text) {
     } catch (const std::exception& e) {
         send(pipe, kInputError, e.what());
     }
-    // What is made before run_jobs is there for the one that started this process, and its to tidy up. Who is told to end before all is done has
-    // not ended well, unless the parent has been told, too.
+    // What is made before run_jobs belongs to the parent, which tidies it up. A job told to stop early has not ended
+    // well, unless the parent has been told, too.
     ::_exit(CancelOnSignal::asked() ? 1 : 0);
 }
 

@@ -82,7 +82,7 @@ struct HandoutCommand {
     Output output;
     glm::ivec2 size{960, 600};
     ContextChoice context = ContextChoice::Auto;
-    bool live = false;  ///< each picture wakes to the program where it is touched
+    bool live = false;  ///< each picture turns into the program when it is touched
     Answers answers = Answers::End;
     bool notes = false;  ///< what only the lecturer reads
 };
@@ -93,7 +93,7 @@ struct SlidesCommand {
     std::filesystem::path folder;
     glm::ivec2 size{1920, 1080};
     ContextChoice context = ContextChoice::Auto;
-    bool live = false;  ///< each picture wakes to the program where it is touched
+    bool live = false;  ///< each picture turns into the program when it is touched
 };
 
 /// `normalscope quiz LESSON -o OUT.xml`

@@ -80,7 +80,7 @@ void add_fail_on_note(CLI::App& app, bool& value) {
 void GivenPicture::add_to(CLI::App& app, PictureArguments& arguments) {
     add(app, "--size", size, "WIDTHxHEIGHT", "In pixels");
     add(app, "--samples", samples, "N", "Samples per pixel, against jagged edges: 1, 2 or 4");
-    add(app, "--scale", scale, "FACTOR", "Size of words and lines, 0.5 to 8 [as the picture's size has it]");
+    add(app, "--scale", scale, "FACTOR", "Size of words and lines, 0.5 to 8 [chosen to suit the picture's size]");
     add(app, "--ground", ground, "KIND",
         "What is behind the object: scene (a ground with a grid), white, or transparent");
     add_context(app, context);
@@ -88,7 +88,7 @@ void GivenPicture::add_to(CLI::App& app, PictureArguments& arguments) {
     add(app, "--tab", arguments.tab, "NAME",
         "Draw the interface, with a tab open beside the picture: " + alternatives(tab_names()) +
             "; derivation#5 is at its fifth line");
-    app.add_flag("--captions", arguments.captions, "Draw what a lesson's step says below the picture: with NAME#n");
+    app.add_flag("--captions", arguments.captions, "Draw the lesson step's caption below the picture; needs NAME#n");
     add_settings(app, arguments.settings);
 }
 
@@ -105,8 +105,8 @@ void GivenTolerance::add_to(CLI::App& app) {
     add(app, "--share", share, "S", "The share of pixels that may be further off, 0 to 1");
     app.add_flag(
         "--perceptual", perceived,
-        "Judge by how far apart colours look, as greys N steps apart do, and forgive pixels that only smooth an "
-        "edge");
+        "Judge colours by eye: N means as different as two greys N steps apart; and forgive pixels that only smooth "
+        "an edge");
 }
 
 Tolerance GivenTolerance::read() const {

@@ -28,7 +28,8 @@ Declared declare_sweep(CLI::App& root) {
     add_list(
         app, "--vary", given->vary, "PATH=FROM:TO[:COUNT]",
         "What varies: a dotted path as for --set, its first and its last value (numbers, or arrays of them), and how "
-        "many values [25, or 5 each where two vary]; given twice, every value of one with every value of the other")
+        "many values [25, or 5 each where two vary]; given twice, every value of one is combined with every value of "
+        "the other")
         .required();
     add(app, "-o,--output", given->output, "OUT",
         "frame-%03d.png, where %03d becomes the picture's number from 0 on (two such places: its row's and its "
@@ -109,17 +110,16 @@ Declared declare_check(CLI::App& root) {
     add(app, "MANIFEST", given->manifest, "", "Scenes with their references, tolerances and numbers (.json)")
         .required();
     add(app, "--results", given->results, "FOLDER",
-        "For the pictures of what does not pass: NAME.png, NAME.expected.png, NAME.difference.png");
+        "Where to leave the pictures of failed checks: NAME.png, NAME.expected.png, NAME.difference.png");
     CLI::Option& junit = add(app, "--junit", given->junit, "OUT.xml", "Write the results as CI services read them");
-    CLI::Option& report =
-        add(app, "--report", given->report, "OUT.html",
-            "Write a page to look at: pictures with a slider, filters, numbers; one file, all within");
+    CLI::Option& report = add(app, "--report", given->report, "OUT.html",
+                              "Write a page to look at: pictures with a slider, filters, numbers; all in one file");
     add(app, "--only", given->command.only, "TEXT", "Only checks with this in their name");
     CLI::Option& shard = add(app, "--shard", given->shard, "K/N",
                              "Only every N-th check from the K-th on, so that N runs share the work: 1/5 to 5/5");
     add_fail_on_note(app, given->command.fail_on_note);
     app.add_flag("--update", given->command.update,
-                 "Then make what was drawn the reference where it differs; on a terminal, once you have said yes");
+                 "Accept pictures that differ, or are new, as the references; on a terminal, ask first");
     add_context(app, given->context);
     add_jobs(app, given->jobs);
     return {&app, [given, &junit, &report, &shard] {

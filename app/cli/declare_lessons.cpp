@@ -28,10 +28,11 @@ Declared declare_lessons(CLI::App& root) {
            "  normalscope lessons\n"
            "  normalscope 1-normal-as-a-point                       the window, in this lesson\n"
            "  normalscope capture '1-normal-as-a-point#3' -o 3.png  what its third step shows\n"
-           "  normalscope lessons --check mine.json                 whether its numbers hold, and its words fit");
-    add_list(app, "--check", given->command.files, "FILE",
-             "Lessons whose numbers are computed, and whose words are measured, at 1024x768 to 3840x2160; exit code 1 "
-             "with the step where something is wrong")
+           "  normalscope lessons --check mine.json                 whether its numbers hold and its words fit");
+    add_list(
+        app, "--check", given->command.files, "FILE",
+        "Check these lessons: that their numbers hold, and that their words fit at 1024x768 to 3840x2160; exit code 1 "
+        "with the step where something is wrong")
         .allow_extra_args();
     add_lesson_folders(app, given->command.lesson_folders);
     add_context(app, given->context);
@@ -59,8 +60,8 @@ Declared declare_handout(CLI::App& root) {
         .required();
     add(app, "--size", given->size, "WIDTHxHEIGHT", "Size of each picture, in pixels");
     app.add_flag("--live", given->command.live,
-                 "Each picture is the program when it is touched, in any browser and without a network");
-    add(app, "--answers", given->answers, "end|inline|none", "Where those to its questions stand");
+                 "Each picture turns into the program when it is touched, in any browser and without a network");
+    add(app, "--answers", given->answers, "end|inline|none", "Where the answers to its questions go");
     app.add_flag("--notes", given->command.notes, "With the steps' notes: the lecturer's script");
     add_context(app, given->context);
     return {&app, [given] {
@@ -89,7 +90,7 @@ Declared declare_slides(CLI::App& root) {
         .required();
     add(app, "--size", given->size, "WIDTHxHEIGHT", "Size of each picture, in pixels");
     app.add_flag("--live", given->command.live,
-                 "In index.html, each picture becomes the program itself when it is touched");
+                 "In index.html, each picture turns into the program when it is touched");
     add_context(app, given->context);
     return {&app, [given] {
                 SlidesCommand command = given->command;
@@ -148,8 +149,8 @@ Declared declare_animate(CLI::App& root) {
     add(app, "--fps", given->fps, "N", "Pictures per second");
     CLI::Option& seconds = add(app, "--seconds", given->seconds, "N",
                                "How long each step stands still, 1 to 60 [as long as its words take to read]");
-    CLI::Option& subtitles =
-        add(app, "--subtitles", given->subtitles, "OUT.vtt", "Write what is said, and when; or OUT.srt");
+    CLI::Option& subtitles = add(app, "--subtitles", given->subtitles, "OUT.vtt",
+                                 "Write the words and their times as subtitles; or OUT.srt");
     add_context(app, given->context);
     return {&app, [given, &seconds, &subtitles] {
                 AnimateCommand command = given->command;

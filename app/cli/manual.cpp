@@ -69,7 +69,7 @@ std::string manual_page() {
     for (const auto& [code, meaning] : {std::pair{"0", "Done."},
                                         {"1", "The pictures differ, or a check fails."},
                                         {"2", "Wrong usage."},
-                                        {"3", "A file cannot be read, written or is not valid."},
+                                        {"3", "A file cannot be read or written, or is not valid."},
                                         {"4", "There is nothing to draw with."}})
         page += ".TP\n\\fB" + std::string(code) + "\\fR\n" + meaning + "\n";
     page += ".SH EXAMPLES\n" + examples(root);

@@ -168,7 +168,7 @@ void update_references(Run& run) {
         const std::string bytes = read_file(drawn, std::size_t{1} << 30);
         if (hash_of(bytes) != result.drawn)
             throw InputError(drawn.string() +
-                             ": is no longer the picture that this run drew, so that it became no reference; "
+                             ": is no longer the picture that this run drew, so it has not become the reference; "
                              "is there another run with the same --results?");
         std::error_code ignored;
         fs::create_directories(check.reference->parent_path(), ignored);  // writing will say what is wrong

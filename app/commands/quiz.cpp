@@ -124,7 +124,7 @@ std::string quiz_of_lessons(const QuizCommand& command) {
             pictures += step.question ? 1 : 0;
         }
     files.writes(command.output, "--output");
-    if (pictures == 0) throw InputError(command.lesson, "asks no question; a step has one by its key question");
+    if (pictures == 0) throw InputError(command.lesson, "asks no question; give a step the key question");
     QuizWriter writer(command, pictures);
     for (const Lesson& lesson : lessons) writer.add(lesson);
     return writer.text();

@@ -47,8 +47,13 @@ float scale_for(const CaptureOptions& options) {
 }
 
 std::string unknown_tab(const std::string& tab) {
-    return "--tab " + tab + ": there is no such tab; " + tabs_of_the_derivation() +
-           "; known: " + joined(tab_names(), " ");
+    const std::string line(without_numbers(tab));
+    if (line.starts_with(kLineInTab) && line.find_first_not_of("0123456789", kLineInTab.size()) == line.npos)
+        return "--tab " + tab + ": there is no such line; the derivation has lines 1 to " +
+               std::to_string(kDerivationPassages);
+    return "--tab " + tab + ": there is no such tab; " +
+           (tab.starts_with(kTabs[0].name) ? tabs_of_the_derivation() + "; " : "") +
+           "known: " + joined(tab_names(), " ");
 }
 
 // On a terminal it is said what takes so long; where there are many pictures, a bar tells of them.

@@ -38,7 +38,7 @@ struct CaptureOptions {
 
 struct Capture {
     Image image;
-    std::string numbers{};             ///< JSON text (DESIGN section 2)
+    std::string numbers{};             ///< JSON text (docs/commands.md)
     std::vector<std::string> notes{};  ///< on the surface: what is not as one may expect
 };
 

@@ -183,7 +183,8 @@ int run(const SweepCommand& command) {
     if (sweep.video) require_ffmpeg(command.output);
     Subject base = subject_of(command.file, command.settings);
     if (const auto* mesh = std::get_if<MeshSurface>(&base.scene.surface); mesh && gives_once(mesh->mesh))
-        throw InputError(mesh->mesh, "is no file, and a sweep reads its mesh several times; write it to one");
+        throw InputError(mesh->mesh,
+                         "is not a regular file, and a sweep reads its mesh several times; save it to a file first");
     // As the first sees it, lest what grows always fill the picture.
     if (!base.scene.camera.zoom) base.scene = with_zoom(base.scene, *SurfaceCache().get(base.scene));
     const std::size_t count = sweep.plan.count();

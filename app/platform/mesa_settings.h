@@ -6,7 +6,7 @@
 namespace normalscope {
 
 /// A variable of the environment while one lives: Mesa can be told some things in no other way, and reads them once, when a
-/// process makes its first context. Nothing that is started later shall find them.
+/// process makes its first context. Nothing that is started later must find them.
 class SetForNow {
 public:
     enum class Unless { UsersOwn, Never };

@@ -8,7 +8,7 @@
 
 namespace normalscope {
 
-/// What a context without a display shall be.
+/// What a context without a display is to be.
 struct ContextOptions {
     ContextChoice choice = ContextChoice::Auto;
     /// Shaders compiled quickly rather than well, by Mesa's software driver: for a single picture, optimising takes longer

@@ -283,7 +283,7 @@ void Viewer::paste() {
     const std::string text = host_.clipboard();
     const bool address = text.starts_with("http") && text.find('#') != text.npos;
     if (!is_link(text) && !address)
-        return gui_.interface.show_note("The clipboard holds no link; one begins with normalscope:");
+        return gui_.interface.show_note("There is no link on the clipboard; a link begins with normalscope:");
     open(text);
 }
 

@@ -38,7 +38,7 @@ void Viewer::watch_lesson() {
         return gui_.interface.show_note("Something else has written to " + name + ": saving would write over it");
     try {
         Opened opened = open_file(name, document_.scene);
-        if (!opened.lesson) throw InputError(name, "is a lesson no more");
+        if (!opened.lesson) throw InputError(name, "is no longer a lesson");
         lecture().replace(opened.lesson, document_.scene);
         if (document_.draft.lesson) {
             document_.draft = {opened.lesson, lecture().player.number()};

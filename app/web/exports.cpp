@@ -127,7 +127,7 @@ EMSCRIPTEN_KEEPALIVE double page_step() {
     });
     return std::isfinite(due) ? due : -1.0;
 }
-/// Nothing is being done that is not finished yet: what is seen may go to the address.
+/// Stores what the next visit starts with, if it has changed. For when nothing is under way.
 EMSCRIPTEN_KEEPALIVE void page_remember_settings() {
     if (the_page()) the_page()->remember();
 }

@@ -32,7 +32,7 @@ function wake() {
     if (!wanted && engine) wanted = requestAnimationFrame(frame);
 }
 
-// At once, until nothing is left to do: what the browser allows only within an event hangs on what is under the finger.
+// At once, until nothing is left to do: what the browser allows only within an event depends on what is under the finger.
 function settle() {
     for (let i = 0; i < 4; ++i) call("step", "number", [], []);
     showKeyboard(call("wants_letters", "number", [], []));

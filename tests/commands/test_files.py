@@ -178,7 +178,7 @@ class FileTest(CommandTest):
         self.refused_by_product(self.scene(stack=[{"scale": [1e9, 1e9, 1e9]}] * 100))
 
     def refused_by_product(self, path):
-        self.assert_fails(3, "capture", path, "-o", self.folder / "out.png", "--size", "32x32", says=("stack", "too large"))
+        self.assert_fails(3, "capture", path, "-o", self.folder / "out.png", "--size", "32x32", says=("stack", "below 1e60"))
 
     def test_a_scene_whose_mesh_is_missing(self):
         path = self.scene(surface={"mesh": "none.obj"})

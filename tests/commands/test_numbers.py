@@ -20,7 +20,7 @@ def times(matrix, vector):
 
 
 def worst_error(ratio):
-    """DESIGN section 1, point 7."""
+    """In degrees, of the naive rule under a map whose largest stretch is `ratio` times its smallest."""
     return math.degrees(math.atan(ratio) - math.atan(1 / ratio))
 
 

@@ -244,7 +244,7 @@ TEST_F(FilesTest, PastingWhatIsNoLinkSaysSo) {
     const Scene before = scene();
     host_.text = "hello";
     key(kCtrl | ImGuiKey_V);
-    EXPECT_EQ(message(), "The clipboard holds no link; one begins with normalscope:");
+    EXPECT_EQ(message(), "There is no link on the clipboard; a link begins with normalscope:");
     host_.text = "normalscope:1:damaged";
     key(kCtrl | ImGuiKey_V);
     EXPECT_EQ(scene(), before);

@@ -33,7 +33,7 @@ BackgroundTask::BackgroundTask(std::function<void()> work, Begin begin) try
 } catch (const std::system_error&) {
     // Mesa would wait for ever for threads that it cannot have.
     throw std::runtime_error(
-        "no more threads can be begun; raise the limit on memory (ulimit -v) or processes (ulimit -u)");
+        "no more threads can be started; raise the limit on memory (ulimit -v) or processes (ulimit -u)");
 }
 BackgroundTask::~BackgroundTask() = default;  // as that of std::async's futures
 BackgroundTask::BackgroundTask(BackgroundTask&&) noexcept = default;

@@ -1,5 +1,6 @@
 #include "core/base/json_object.h"
 
+#include "core/base/decimal.h"
 #include "core/base/nearest.h"
 #include "core/base/text.h"
 #include "core/base/utf8.h"
@@ -11,6 +12,17 @@
 namespace normalscope {
 
 using Json = nlohmann::ordered_json;
+
+namespace {
+
+std::string said(const Range& range) {
+    constexpr int kDigits = 15;  // no exponent below 1e15
+    const std::string low = with_digits(range.low, kDigits);
+    return range.high == kAnyNumber.high ? "at least " + low
+                                         : "from " + low + " to " + with_digits(range.high, kDigits);
+}
+
+}  // namespace
 
 std::string shown(const Json& json, std::size_t most_bytes) {
     return shortened(json.dump(-1, ' ', false, Json::error_handler_t::replace), most_bytes);
@@ -38,8 +50,7 @@ void read_value(const Json& json, const JsonPath& path, double& value, Range ran
     if (!json.is_number()) fail_kind(path, "a number", json);
     const double number = json.get<double>();
     if (!(number >= range.low && number <= range.high))
-        throw JsonError(
-            path, shown(json) + " is out of range; it goes from " + shown(range.low) + " to " + shown(range.high));
+        throw JsonError(path, shown(json) + " is out of range; it must be " + said(range));
     value = number;
 }
 void read_value(const Json& json, const JsonPath& path, int& value, Range range) {

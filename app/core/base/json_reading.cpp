@@ -44,7 +44,7 @@ public:
     bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) override {
         if (const std::string word = word_at(position); error.id == 406 || is_no_number(word))
             return refuse(shortened(word, 40) +
-                          (error.id == 406 ? " is too large for a number" : " is no number in JSON"));
+                          (error.id == 406 ? " is too large for a number" : " is not a number in JSON"));
         syntax = true;
         if (text_.find_first_not_of(" \t\r\n") == std::string_view::npos) {
             fault = JsonError({}, "not valid JSON: it is empty");

@@ -33,7 +33,8 @@ std::optional<std::string> nearest(std::string_view word, std::span<const std::s
     constexpr std::size_t kShortestPart = 4;
     if (word.size() > kLongest) return std::nullopt;
     std::optional<std::string> best;
-    std::size_t fewest = std::max<std::size_t>(1, word.size() / 3) + 1;
+    // One letter is one edit from every other: it is only meant as itself, by whoever wrote it large.
+    std::size_t fewest = word.size() < 2 ? 1 : std::max<std::size_t>(1, word.size() / 3) + 1;
     for (const std::string& name : names)
         if (const std::size_t n = edits(word, name); n < fewest) {
             fewest = n;

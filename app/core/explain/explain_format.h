@@ -5,7 +5,7 @@
 
 namespace normalscope {
 
-/// How an explanation is written (core/explanation.h).
+/// How an explanation is written (core/explain/explanation.h).
 /// The last is LaTeX for a document of one's own, which no name stands for.
 enum class ExplainFormat { Text, Json, Latex, LatexFragment };
 inline constexpr std::array kExplainFormats{ExplainFormat::Text, ExplainFormat::Json, ExplainFormat::Latex};

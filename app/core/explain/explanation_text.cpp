@@ -285,7 +285,7 @@ std::string of_decomposition(const Decomposition& d) {
 std::string of_classes(const Explanation& e) {
     std::string out = heading("Classes of maps: ● marks those that M belongs to; the others are shown by an example");
     const auto yes_no = [](const std::optional<bool>& b) { return std::string(!b ? "–" : *b ? "yes" : "no"); };
-    out += "    " + padded("class", 15) + padded("that is", 26) + padded("direction", 11) + padded("length", 9) +
+    out += "    " + padded("class", 15) + padded("defined by", 26) + padded("direction", 11) + padded("length", 9) +
            padded("inverse", 9) + "cofactor\n";
     for (const MapClassRow& row : e.classes)
         out += indented(

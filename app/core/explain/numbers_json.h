@@ -17,7 +17,7 @@ struct Drawn {
     std::string context;     ///< "osmesa" or "egl"
 };
 
-/// What the picture means, as JSON (DESIGN section 2): matrices as arrays of rows, null for what does not exist.
+/// What the picture means, as JSON (docs/commands.md): matrices as arrays of rows, null for what does not exist.
 std::string numbers_text(const Scene& scene, const Frame& frame, const Drawn& drawn);
 
 /// The same as JSON to add to; without `drawn`, where no picture was made, their keys are null.

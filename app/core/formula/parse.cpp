@@ -167,8 +167,9 @@ private:
         const Token &name = tokens_[at_ - 2], &digits = tokens_[at_ - 1];
         if (name.type != TokenType::Function || name.text == "√" || digits.type != TokenType::Number) return;
         const std::string f = name.text, n = digits.text.substr(0, 40);
-        throw SyntaxError(name.column, "\"" + f + n + "(\" is no function; write " + f + "(" + n + "*(…)), " + f + "(" +
-                                           n + ")*(…) or " + f + "(…)^" + n + ". Known are: " + known_functions());
+        throw SyntaxError(name.column, "\"" + f + n + "(\" is not a function; write " + f + "(" + n + "*(…)), " + f +
+                                           "(" + n + ")*(…) or " + f + "(…)^" + n +
+                                           ". Known are: " + known_functions());
     }
 
     const Pending* innermost() const {

@@ -23,8 +23,8 @@ struct ImageDifference {
     double share_beyond = 0.0;       ///< of all pixels
     glm::ivec2 worst{0};             ///< the pixel with the largest difference in any channel, from the top left
     int worst_by = 0;
-    /// The same as it is seen (core/perceived_difference.h), without those that only smooth an edge; not looked at in very
-    /// large pictures, where that would take half a minute and is not what decides.
+    /// The same as it is seen (core/image/perceived_difference.h), without those that only smooth an edge; not looked at
+    /// in very large pictures, where that would take half a minute and is not what decides.
     bool looked_at = true;
     std::int64_t seen_beyond = 0;
     double share_seen = 0.0;

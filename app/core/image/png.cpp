@@ -143,8 +143,8 @@ Image read_png(const std::filesystem::path& file) {
 }
 
 Image decoded_png(std::string_view bytes, const std::string& name) {
-    if (bytes.empty()) fail(name, "is empty, so it is no PNG picture");
-    if (!bytes.starts_with(kSignature)) fail(name, "is no PNG picture");
+    if (bytes.empty()) fail(name, "is empty, so it is not a PNG picture");
+    if (!bytes.starts_with(kSignature)) fail(name, "is not a PNG picture");
     Decoder decoder;
     if (!png_image_begin_read_from_memory(&decoder.png, bytes.data(), bytes.size())) decoder.damaged(name);
     return decoder.finish(bytes.size(), name);

@@ -48,8 +48,7 @@ std::optional<std::string> name_of_address(std::string_view text) {
     if (!is_address(text)) return std::nullopt;
     const auto mark = text.find('#');
     std::string name = mark == text.npos ? "" : decoded(text.substr(mark + 1));
-    if (name.empty())
-        throw InputError("address", "nothing stands behind a # at its end; copy it from the page by Ctrl+L");
+    if (name.empty()) throw InputError("address", "ends with an empty #; copy it from the page by Ctrl+L");
     const auto slash = name.rfind('/');
     if (slash != name.npos && is_built_in_lesson(name.substr(0, slash))) name[slash] = '#';
     return name;

@@ -61,7 +61,7 @@ Scene scene_of_link(std::string_view link) {
         fail("it was made by a newer version of normalscope (its format is " + std::string(version) +
              "; this program reads format 1)");
     const std::optional<std::string> decoded = from_base64url(link.substr(dot + 1));  // mail breaks long lines
-    if (!decoded) fail("it holds a character that no link holds; it was changed on its way, so copy it again");
+    if (!decoded) fail("it has a character that links do not have; it was changed on its way, so copy it again");
     const std::string& bytes = *decoded;
     if (bytes.size() < 5 || crc_of(std::string_view(bytes).substr(4)) != bytes.substr(0, 4))
         fail("it is cut off or damaged (its checksum is wrong); copy it again");

@@ -80,7 +80,7 @@ bool is_lesson(const nlohmann::ordered_json& json) { return json.is_object() && 
 
 Contents contents_of_json(std::string_view text, const std::string& name, const fs::path& folder) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
-        throw InputError(name, "is empty; it holds no scene");
+        throw InputError(name, "is empty; it does not hold a scene");
     try {
         const nlohmann::ordered_json json = read_json(text);
         if (is_lesson(json)) {

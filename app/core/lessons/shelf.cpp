@@ -40,7 +40,7 @@ std::vector<fs::path> lesson_folders(const std::vector<std::string>& given) {
     std::error_code ignored;
     for (const std::string& folder : given) {
         if (!fs::is_directory(folder, ignored))
-            throw InputError(folder, "is no folder; --lessons wants one, with lessons of your own in it");
+            throw InputError(folder, "is not a folder; --lessons wants one, with lessons of your own in it");
         folders.push_back(whole(folder));
     }
     const fs::path data = data_folder_of("normalscope");

@@ -33,13 +33,13 @@ inline std::vector<std::string> tab_names() {
 /// The check and the last column of M are the last two.
 inline constexpr std::size_t kLinesWithArrows = 10, kDerivationPassages = 12;
 
-/// What else there is to ask of the first of them, for whoever asked for one that there is not.
+/// What else there is to ask of the first of them, for a message about one that does not exist.
 inline std::string tabs_of_the_derivation() {
     return "derivation#1 to derivation#" + std::to_string(kDerivationPassages) +
-           " are at its lines, and derivation:numbers has numbers in the place of names";
+           " are at its lines, and derivation:numbers has numbers in place of names";
 }
 
-/// "derivation:numbers", and "derivation#5:numbers", have numbers in the place of names.
+/// "derivation:numbers", and "derivation#5:numbers", have numbers in place of names.
 inline constexpr std::string_view kNumbersInTab = ":numbers";
 inline bool numbers_in_tab(std::string_view tab) {
     return tab.starts_with(kTabs[0].name) && tab.ends_with(kNumbersInTab);
@@ -49,11 +49,11 @@ inline std::string_view without_numbers(std::string_view tab) {
     return tab;
 }
 
+inline constexpr std::string_view kLineInTab = "derivation#";
 /// The line, counted from 0, that "derivation#5" asks for; empty for anything else.
 inline std::optional<std::size_t> line_of_tab(std::string_view tab) {
-    constexpr std::string_view kBefore = "derivation#";
-    if (!tab.starts_with(kBefore)) return std::nullopt;
-    const std::string digits(tab.substr(kBefore.size()));
+    if (!tab.starts_with(kLineInTab)) return std::nullopt;
+    const std::string digits(tab.substr(kLineInTab.size()));
     if (digits.empty() || digits.size() > 2 || digits.find_first_not_of("0123456789") != std::string::npos)
         return std::nullopt;
     const std::size_t line = std::stoul(digits);

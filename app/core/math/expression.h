@@ -8,7 +8,7 @@
 
 namespace normalscope {
 
-/// What a letter in an equation stands for; each has one colour (core/palette.h) everywhere.
+/// What a letter in an equation stands for; each has one colour (core/scene/palette.h) everywhere.
 enum class Symbol { NObject, VObject, NWorld, VWorld, M3, Zero };
 
 /// What colours a symbol: object-space things grey, tangents blue, normals by their rule.

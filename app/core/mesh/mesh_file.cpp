@@ -35,7 +35,7 @@ void refuse_to_read_again(const std::filesystem::path& file) {
     one_at_a_time.run([&] {
         if (!read.insert(file).second)
             throw InputError(file.string(),
-                             "is a pipe or device, which has given its mesh already; write that to a file");
+                             "is a pipe or device and can be read only once; save the mesh to a file first");
     });
 }
 

@@ -70,7 +70,7 @@ public:
 
     Header run() {
         words_.skip_empty_lines();
-        if (!is_word(words_.next(), "ply")) fail("is no PLY file: it does not begin with \"ply\"");
+        if (!is_word(words_.next(), "ply")) fail("is not a PLY file: it does not begin with \"ply\"");
         const bool lone_returns = words_.line_is_over() && ends_with_lone_return(words_.rest());
         words_.skip_line();
         for (; !words_.at_end(); words_.skip_line()) {
@@ -135,7 +135,7 @@ private:
         Property added{.list = is_word(type, "list")};
         if (added.list) {
             added.count_type = type_from(words_.next());
-            if (added.count_type.kind == Type::Kind::Floating) fail_here("a list's count is no whole number");
+            if (added.count_type.kind == Type::Kind::Floating) fail_here("a list's count is not a whole number");
             type = words_.next();
         }
         added.type = type_from(type);
@@ -144,7 +144,7 @@ private:
         if (added.use != Use::Skip && element.has(added.use))
             fail_here("its header has the property " + in_quotes(added.name) + " twice");
         if (added.use == Use::Indices && added.type.kind == Type::Kind::Floating)
-            fail_here("the numbers of vertices in " + in_quotes(added.name) + " are no whole numbers");
+            fail_here("the numbers of vertices in " + in_quotes(added.name) + " are not whole numbers");
         element.properties.push_back(std::move(added));
     }
     Type type_from(std::string_view name) const {

@@ -25,7 +25,7 @@ void check_positions(const Polygons& polygons, const std::string& file) {
         const glm::dvec3 size = glm::abs(polygons.positions[i]);
         if (size.x <= kLargestCoordinate && size.y <= kLargestCoordinate && size.z <= kLargestCoordinate) continue;
         throw InputError(file + ": vertex " + std::to_string(i + 1) +
-                         " has a coordinate that is no number or beyond 1e30; repair or export the mesh anew");
+                         " has a coordinate that is not a number or is beyond 1e30; repair or export the mesh anew");
     }
 }
 

@@ -51,7 +51,8 @@ void read_face(Words& words, Part& part) {
         Words corner = words;
         std::array<std::int64_t, 3> numbers{};
         if (!read_corner(words, numbers)) {
-            part.mistake = in_quotes(corner.next()) + " is no corner of a face, which is a vertex's number, or 1/2/3";
+            part.mistake =
+                in_quotes(corner.next()) + " is not a corner of a face, which is a vertex's number, or 1/2/3";
             return;
         }
         const auto [position, texture, normal] = numbers;
@@ -208,7 +209,8 @@ Polygons polygons_of(const Source& source) {
         polygons.normals.insert(polygons.normals.end(), part.normals.begin(), part.normals.end());
     }
     if (polygons.positions.empty())
-        throw InputError(source.name + ": has no vertices, so it is no OBJ file; a mesh's ending must be its format's");
+        throw InputError(source.name +
+                         ": has no vertices, so it is not an OBJ file; a mesh's ending must be its format's");
     polygons.line_of_face = [all = source.all](std::size_t face) { return line_of_face(all(), face); };
     return polygons;
 }

@@ -224,7 +224,7 @@ private:
         const auto at = [&](Use use) { return vertex_[static_cast<std::size_t>(use)]; };
         const glm::dvec3 position(at(Use::X), at(Use::Y), at(Use::Z));
         if (glm::any(glm::isnan(position)))
-            fail("vertex " + std::to_string(i + 1) + " has a coordinate that is no number");
+            fail("vertex " + std::to_string(i + 1) + " has a coordinate that is not a number");
         polygons_.positions.push_back(position);
         if (normals_) polygons_.normals.emplace_back(at(Use::Nx), at(Use::Ny), at(Use::Nz));
     }

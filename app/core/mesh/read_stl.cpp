@@ -91,7 +91,7 @@ Polygons read_binary(std::string_view bytes, const std::string& file) {
         for (const glm::dvec3& p : corners)
             if (glm::any(glm::isnan(p)) || glm::any(glm::isinf(p)))
                 throw InputError(file + ": facet " + std::to_string(i + 1) +
-                                 " has a coordinate that is no number; repair or export the mesh anew");
+                                 " has a coordinate that is not a number; repair or export the mesh anew");
         facets.add(corners);
     }
     return facets.take(bytes.size() > kHeader + count * kFacet ? "what follows its last facet is left out" : "");
@@ -177,7 +177,7 @@ Polygons read_stl(std::string_view bytes, const std::string& file) {
         if (bytes.size() < needed || claimed == 0)
             throw InputError(file + ": announces " + std::to_string(claimed) + " facets, which is not what its " +
                              std::to_string(bytes.size()) +
-                             " bytes hold, so it is cut short or no STL file; export the mesh anew");
+                             " bytes hold, so it is cut short or not an STL file; export the mesh anew");
     }
     return read_binary(bytes, file);
 }

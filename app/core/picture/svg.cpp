@@ -87,7 +87,7 @@ private:
                 if (seen.front[i] == front && seen.draws(t)) triangles.push_back(flat(seen, t));
             }
             for (Loop& loop : contours(triangles)) {
-                // The other way round: where front and back lie over each other, neither shall cut a hole into the other.
+                // The other way round: where front and back lie over each other, neither must cut a hole into the other.
                 if (!front) std::ranges::reverse(loop);
                 loops.push_back(std::move(loop));
             }

@@ -37,9 +37,8 @@ Transform<World, Object> world_from_object(const Scene& scene) {
     for (int c = 0; c < 4; ++c)
         for (int r = 0; r < 4; ++r)
             if (!(std::abs(m[c][r]) < 1e60))
-                throw InputError("stack",
-                                 "the product of its " + std::to_string(scene.stack.size()) +
-                                     " entries is too large for a number; use smaller scales or fewer entries");
+                throw InputError("stack", "the numbers in the product of its " + std::to_string(scene.stack.size()) +
+                                              " entries must stay below 1e60; use smaller scales or fewer entries");
     return Transform<World, Object>(m, known_rank(stack));
 }
 

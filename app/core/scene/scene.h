@@ -72,7 +72,7 @@ struct Arrows {
 };
 
 /// What stands in the naive rule's place: that rule itself, or another mistake that programs make with normals, to be
-/// held against the right rule (core/mistakes.h tells how each comes about).
+/// held against the right rule (core/scene/mistakes.h tells how each comes about).
 enum class Mistake {
     Naive,
     InversesNotReversed,
@@ -115,7 +115,7 @@ struct AimedRay {
     static constexpr int kLastStep = 7;
     /// Empty: from beside the camera, through the middle of the picture.
     std::optional<Point<World>> from, toward;
-    int step = kLastStep;  ///< how far it is followed (core/ray_steps.h)
+    int step = kLastStep;  ///< how far it is followed (core/surface/ray_steps.h)
     friend bool operator==(const AimedRay&, const AimedRay&) = default;
 };
 

@@ -16,6 +16,12 @@ inline constexpr Range kCoordinate{-1e9, 1e9};
 inline constexpr Range kDegrees{-36000.0, 36000.0};
 inline constexpr std::size_t kMostStackEntries = 200;
 
+/// How many entries a list may have, and what to do where it has more.
+struct AtMost {
+    std::size_t count = 200;
+    std::string_view of = "entries", remedy = "";
+};
+
 template <class E>
 using EnumName = std::pair<E, std::string_view>;
 
@@ -164,7 +170,7 @@ template <class F, Is<Scene> S>
 void fields(F& f, S& s) {
     f("about", s.about);
     f("surface", s.surface);
-    f("stack", s.stack);
+    f("stack", s.stack, AtMost{kMostStackEntries, "entries", ", so multiply some into one matrix"});
     f("stack_position", s.stack_position, Range{0, kMostStackEntries});
     f("rule", s.rule);
     f("mistake", s.mistake);
@@ -179,7 +185,7 @@ void fields(F& f, S& s) {
     f("theme", s.theme);
     f("show", s.show);
     f("probe", s.probe);
-    f("pinned", s.pinned);
+    f("pinned", s.pinned, AtMost{Scene::kMostPinned, "points"});
     f("borrow", s.borrow);
     f("slice", s.slice);
     f("ray", s.ray);

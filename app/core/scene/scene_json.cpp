@@ -59,8 +59,8 @@ Json json_of(const T& v);
 
 struct Writer {
     Json& object;
-    template <class T>
-    void operator()(const char* key, const T& value, Range = kCoordinate) {
+    template <class T, class... R>
+    void operator()(const char* key, const T& value, R...) {
         object[key] = json_of(value);
     }
 };
@@ -142,7 +142,7 @@ void read_value(const Json& j, const JsonPath& path, E& v) {
 template <class T, class... R>
 void read_value(const Json& j, const JsonPath& path, std::optional<T>& v, R... range);
 template <class T>
-void read_value(const Json& j, const JsonPath& path, std::vector<T>& v);
+void read_value(const Json& j, const JsonPath& path, std::vector<T>& v, AtMost most = {});
 void read_value(const Json& j, const JsonPath& path, SurfaceSource& v);
 void read_value(const Json& j, const JsonPath& path, ParametersOf<formulas::Parameters>& p);
 void read_value(const Json& j, const JsonPath& path, StackEntry& v);
@@ -179,11 +179,11 @@ void read_value(const Json& j, const JsonPath& path, std::optional<T>& v, R... r
         read_value(j, path, v.emplace(), range...);
 }
 template <class T>
-void read_value(const Json& j, const JsonPath& path, std::vector<T>& v) {
+void read_value(const Json& j, const JsonPath& path, std::vector<T>& v, AtMost most) {
     if (!j.is_array()) fail_kind(path, "an array", j);
-    if (j.size() > kMostStackEntries)
-        throw JsonError(path, "has " + std::to_string(j.size()) + " entries; at most " +
-                                  std::to_string(kMostStackEntries) + " are allowed, so multiply some into one matrix");
+    if (j.size() > most.count)
+        throw JsonError(path, "has " + std::to_string(j.size()) + " " + std::string(most.of) + "; at most " +
+                                  std::to_string(most.count) + " are allowed" + std::string(most.remedy));
     v.assign(j.size(), T{});
     for (std::size_t i = 0; i < j.size(); ++i) read_value(j[i], below(path, i), v[i]);
 }
@@ -277,9 +277,6 @@ Scene scene_of_json(const Json& json, const JsonPath& path) {
     JsonObject object(json, path, "a scene, which is an object");
     Reader reader{object};
     fields(reader, scene);
-    if (scene.pinned.size() > Scene::kMostPinned)
-        throw JsonError(below(path, "pinned"), "has " + std::to_string(scene.pinned.size()) + " points; at most " +
-                                                   std::to_string(Scene::kMostPinned) + " are allowed");
     object.read_format("normalscope");
     object.no_other_keys();
     try {

@@ -79,7 +79,8 @@ std::size_t count_of(std::string_view text, std::string_view whole) {
     std::size_t count = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
     if (error != std::errc{} || end != text.data() + text.size() || count < 1 || count > kMostValues)
-        fail(whole, "COUNT '" + shortened(text, 20) + "' is no whole number from 1 to " + std::to_string(kMostValues));
+        fail(whole,
+             "COUNT '" + shortened(text, 20) + "' is not a whole number from 1 to " + std::to_string(kMostValues));
     return count;
 }
 

@@ -145,7 +145,7 @@ void SurfaceNet::descend() {
     for (const formulas::Sample& sample : samples) gradients_.push_back(sample.gradient);
 }
 
-// More of the steps for who needs them, as where f is an exponential that falls steeply.
+// Further steps for vertices that need them, as where f is an exponential that falls steeply.
 void SurfaceNet::settle(std::size_t vertex, const glm::dvec3& start, formulas::Sample& sample) {
     go_on_unless(stop_);
     for (int i = 0; i < kMoreSteps; ++i) {

@@ -250,7 +250,7 @@ Mesh dodecahedron() {
 Mesh make_shape(const ShapeSurface& shape) {
     const int n = shape.resolution;
     if (n < 3 || n > 512)
-        throw InputError("surface.resolution: " + std::to_string(n) + " is out of range; it goes from 3 to 512");
+        throw InputError("surface.resolution: " + std::to_string(n) + " is out of range; it must be from 3 to 512");
     const auto of_kind = [&] {
         switch (shape.shape) {
             case Shape::Sphere: return sphere(n);

@@ -87,7 +87,7 @@ private:
     }
 
     static std::vector<glm::dvec3> vertices() {
-        // Askew: symmetry planes shall not run through rows of vertices.
+        // Askew: symmetry planes must not run through rows of vertices.
         const glm::dvec3 up = glm::normalize(glm::dvec3(0.3141, 0.9, 0.1618)),
                          u = glm::normalize(glm::cross(up, glm::dvec3(0.2718, 0.0577, 1.0))), v = glm::cross(up, u);
         std::vector<glm::dvec3> directions{up, -up};

@@ -26,8 +26,8 @@ TEST(ReadJson, SaysWhereAndWhy) {
     const std::vector<std::pair<std::string, std::string>> bad{
         {R"({"a": {"b": 1, "c": 2, "b": 3}})", "a.b: is there twice; keep one"},
         {R"([0, {"a": [1, 1e999]}])", "1.a.1: 1e999 is too large for a number"},
-        {R"([NaN])", "0: NaN is no number in JSON"},
-        {R"({"a": [1, -Infinity]})", "a.1: -Infinity is no number in JSON"},
+        {R"([NaN])", "0: NaN is not a number in JSON"},
+        {R"({"a": [1, -Infinity]})", "a.1: -Infinity is not a number in JSON"},
         {std::string(41, '['), "nested more than 40 levels deep"},
         {std::string(100'000, '['), "nested more than 40 levels deep"},
         {"", "not valid JSON: it is empty"},
@@ -75,7 +75,11 @@ TEST(JsonObject, KnowsWhatItWasAskedFor) {
     EXPECT_EQ(message_of([&] { object.read("part", many, Range{0, 9}); }),
               "here.part: expected a whole number, found 0.5");
     EXPECT_EQ(message_of([&] { object.read("many", many, Range{4, 9}); }),
-              "here.many: 3 is out of range; it goes from 4.0 to 9.0");
+              "here.many: 3 is out of range; it must be from 4 to 9");
+    EXPECT_EQ(message_of([&] { object.read("part", missing, Range{0.001, 1e-2}); }),
+              "here.part: 0.5 is out of range; it must be from 0.001 to 0.01");
+    EXPECT_EQ(message_of([&] { object.read("many", missing, Range{1e9, kAnyNumber.high}); }),
+              "here.many: 3 is out of range; it must be at least 1000000000");
     EXPECT_EQ(message_of([&] { (void)object.need("size"); }),
               "here: lacks the key size; it has on, word, many, part, more");
     EXPECT_EQ(message_of([&] { JsonObject(json["word"], {"here", "word"}, "an object with words"); }),

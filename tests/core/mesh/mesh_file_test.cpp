@@ -206,7 +206,7 @@ TEST_F(MeshFile, BadObj) {
     for (const char* corner :
          {"x", "3.0", "1.9", "1e0", "3/x", "3//1.5", "//1", "/1", "3/1/1/1", "3///", "3,2", "-", "+", "3-"})
         EXPECT_SAYS(error("a.obj", kTriangle + "\n# face 1\nf 1 2 3\nf 1 2 " + corner + "\n"),
-                    "line 7: \"" + std::string(corner) + "\" is no corner of a face");
+                    "line 7: \"" + std::string(corner) + "\" is not a corner of a face");
     for (const char* number : {"nan", "NaN", "inf", "-inf", "x", "0x1", "1,5", ""})
         EXPECT_SAYS(error("a.obj", "v 0 0 0\nv 1 0 " + std::string(number) + "\n" + kTriangle + "f 1 2 3\n"),
                     "line 2: a vertex needs three numbers");

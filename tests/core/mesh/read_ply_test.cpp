@@ -232,7 +232,7 @@ TEST_F(MeshFile, BadPly) {
                 "entry 1 of \"face\"");
     for (const std::string word : {"nan", "-1.#IND", "inf", "x", "1,5"})
         EXPECT_SAYS(error("nan.ply", ply_header("ascii", "4", "1") + word + kAsciiSquare.substr(1)),
-                    "line 11: vertex 1 has a coordinate that is no number");
+                    "line 11: vertex 1 has a coordinate that is not a number");
     for (const std::string word : {"1.9", "1e0", "x", "nan", "0x1", "-"})
         EXPECT_SAYS(
             error("face.ply", ply_header("ascii", "4", "1") + "0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 " + word + "\n"),
