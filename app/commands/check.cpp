@@ -170,10 +170,10 @@ void update_references(Run& run) {
             throw InputError(drawn.string() +
                              ": is no longer the picture that this run drew, so it has not become the reference; "
                              "is there another run with the same --results?");
-        std::error_code ignored;
-        fs::create_directories(check.reference->parent_path(), ignored);  // writing will say what is wrong
+        if (check.reference->has_parent_path()) make_folder(check.reference->parent_path());
         write_file(*check.reference, bytes);
         result.reference_differs = false;
+        std::error_code ignored;
         for (const fs::path& file : result.evidence) fs::remove(file, ignored);
         print("updated: " + check.reference->string() + "\n");
     }

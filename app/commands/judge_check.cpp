@@ -117,8 +117,7 @@ private:
     template <class Write>
     void evident(Write&& write) {
         for (int attempt = 1;; ++attempt) try {
-                std::error_code ignored;  // writing will say what is wrong
-                fs::create_directories(command_.results, ignored);
+                make_folder(command_.results);
                 return write();
             } catch (const InputError& e) {
                 std::error_code ignored;

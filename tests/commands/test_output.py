@@ -2,6 +2,7 @@
 """Where the picture and the numbers go, and what happens where they cannot."""
 
 import json
+import os
 import resource
 import shutil
 import unittest
@@ -75,6 +76,22 @@ class OutputTest(CommandTest):
         self.assert_fails(3, "capture", "-o", path, *SMALL, preexec_fn=little_space, says=(path, "cannot be written"))
         self.assertEqual(path.read_text(), "old")
         self.assertEqual(list(self.folder.iterdir()), [path])
+
+    def test_what_is_private_stays_so(self):
+        path = self.folder / "a.png"
+        path.write_text("old")
+        path.chmod(0o600)
+        self.assert_done("capture", "-o", path, *SMALL)
+        self.assertEqual(path.stat().st_mode & 0o777, 0o600)
+        self.assertTrue(path.read_bytes().startswith(b"\x89PNG"))
+
+    @unittest.skipIf(os.geteuid() == 0, "the superuser writes anywhere")
+    def test_what_is_write_protected_stays(self):
+        path = self.folder / "a.png"
+        path.write_text("old")
+        path.chmod(0o400)
+        self.assert_fails(3, "capture", "-o", path, *SMALL, says=(path, "cannot be written: Permission denied"))
+        self.assertEqual(path.read_text(), "old")
 
     def test_a_full_disk_leaves_nothing_half_done(self):
         checks = self.folder.with_suffix(".json")

@@ -136,7 +136,7 @@ std::array<T, 3> reverse(const Program& program, std::span<const T> values, std:
             continue;
         }
         const T &a = values[i.a], &b = values[i.b];
-        const T before_a = d[i.a], before_b = d[i.b];  // what only where hands on to, its c, it does by itself
+        const T before_a = d[i.a], before_b = d[i.b], before_c = d[i.c];
         const bool left = program[i.a].varies, right = program[i.b].varies;
         switch (i.code) {
             case Code::Add:
@@ -197,6 +197,7 @@ std::array<T, 3> reverse(const Program& program, std::span<const T> values, std:
         if (taken.empty()) continue;
         d[i.a] = slope_where(d[i.a], taken[k], before_a);
         d[i.b] = slope_where(d[i.b], taken[k], before_b);
+        d[i.c] = slope_where(d[i.c], taken[k], before_c);
     }
     return gradient;
 }

@@ -60,7 +60,8 @@ std::optional<Probe> nearest_on(const Surface& all, Point<Object> p, const std::
     const double reach = kNear * surface.source().bound;
     if (const auto on = surface.onto_surface(p, reach); on && surface.inside_clip(on->xyz))
         return probe_on(surface, *on, borrow);
-    if (surface.at(p).value == 0.0 && surface.lies_on(p.xyz)) return probe_on(surface, p, borrow);
+    if (surface.inside_clip(p.xyz) && surface.at(p).value == 0.0 && surface.lies_on(p.xyz))
+        return probe_on(surface, p, borrow);
     const auto near = nearest_probe(all.mesh, p, tree_of(all));
     if (!near) {  // only rays find it
         const auto on = surface.onto_surface(p, 2.0 * surface.source().bound);
