@@ -72,6 +72,15 @@ test("slides drive it: docs/slides.html", async (t) => {
     await page.close();
 });
 
+test("?lesson and ?scene name what an address does", async (t) => {
+    const { url } = await serve(t);
+    for (const [asks, step] of [[`lesson=${lesson}/3`, 3], [`scene=${lesson}/2`, 2]]) {
+        const { page } = await open(browser, url + "?" + asks);
+        assert.equal(JSON.parse(await ask(page, "told")).step, step);
+        await page.close();
+    }
+});
+
 test("back and forward go from step to step of a lesson", async (t) => {
     const { url } = await serve(t);
     const { page, said } = await open(browser, `${url}#${lesson}/2`);

@@ -2,7 +2,6 @@
 
 #include "core/base/error.h"
 #include "core/base/html.h"
-#include "core/lessons/lesson.h"
 
 #include <algorithm>
 #include <array>
@@ -50,8 +49,6 @@ std::optional<std::string> name_of_address(std::string_view text) {
     std::string name = mark == text.npos ? "" : decoded(text.substr(mark + 1));
     if (name.empty())
         throw InputError("address", "nothing stands behind a # at its end; copy it from the page by Ctrl+L");
-    const auto slash = name.rfind('/');
-    if (slash != name.npos && is_built_in_lesson(name.substr(0, slash))) name[slash] = '#';
     return name;
 }
 
