@@ -191,6 +191,7 @@ void Viewer::note_file(const std::filesystem::path& file) {
 
 void Viewer::take(Opened opened) {
     commit();
+    gui_.interface.take_back_error();  // why something else could not be opened, which would cover this
     note_file(opened.lesson ? opened.lesson->name : opened.file);
     const std::shared_ptr<Origin> left = document_.origin();
     if (opened.exercises) {

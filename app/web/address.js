@@ -22,7 +22,7 @@ function followAddress() {
 window.addEventListener("popstate", () => {
     if (!engine || !nameInAddress()) return;
     clearTimeout(following);
-    shown = decodeURIComponent(location.hash.slice(1));
+    shown = location.hash.slice(1);
     open(location.hash);
 });
 

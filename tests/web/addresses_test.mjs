@@ -124,6 +124,17 @@ test("a page around it is told of steps and answers, and may ask for steps", asy
     await send({ normalscope: "open", name: "shear" });
     await page.waitForFunction(() => heard.some((what) => what.name === "shear"));
     assert.equal(await page.evaluate("heard[0].normalscope"), "ready");
+    await send({ normalscope: "open", name: `${lesson}/3` });
+    await page.waitForFunction((name) => heard.some((what) => what.asked === name && what.name === name), {}, `${lesson}/3`);
+    await inner.evaluate(() => tap("a"));
+    const answered = () => page.evaluate(() => heard.filter((what) => what.normalscope === "answered").length);
+    await page.waitForFunction(() => heard.some((what) => what.normalscope === "answered" && what.step === 3));
+    for (const step of [2, 3]) {
+        await send({ normalscope: "step", step });
+        await page.waitForFunction((wanted) => heard.at(-1).step === wanted, {}, step);
+    }
+    await drawn(inner);
+    assert.equal(await answered(), 1);
     await send({ normalscope: "reboot" });
     await inner.waitForFunction(() => line().includes('asks for "reboot"'));
     await send({ other: 1 });
