@@ -50,12 +50,19 @@ void with_viewer(Work&& work) {
     }
 }
 
-Opened first_of(const std::string& name, bool dark, std::string& complaint) {
+/// The room's light; a link says in which it was seen, which holds unless the page is `asked` for this one.
+struct Light {
+    bool dark, asked;
+};
+
+Opened first_of(const std::string& name, Light light, std::string& complaint) {
     Opened first{.file = std::string(kDefaultScene), .scene = load_scene(std::string(kDefaultScene))};
-    if (dark) first.scene.theme = Theme::Dark;
+    first.scene.theme = light.dark ? Theme::Dark : Theme::Light;
     if (name.empty()) return first;
     try {
         Opened opened = read_file(name, first.scene);
+        const bool link = opened.file.empty();
+        if (light.asked || !link) opened.scene.theme = first.scene.theme;
         prepare(opened);
         return opened;
     } catch (const std::exception& e) {
@@ -101,10 +108,10 @@ extern "C" {
 
 /// Opens what the address names, or the default scene. Empty, or why there is no program here.
 EMSCRIPTEN_KEEPALIVE const char* page_start(const char* name, const char* settings, const char* unsaved, int width,
-                                            int height, double scale, int dark, int still) {
+                                            int height, double scale, int dark, int asked_light, int still) {
     try {
         std::string complaint;
-        Opened first = first_of(name, dark != 0, complaint);
+        Opened first = first_of(name, {dark != 0, asked_light != 0}, complaint);
         prepare(first);
         the_page() = std::make_unique<Page>(glm::ivec2(width, height), static_cast<float>(scale), std::move(first),
                                             remembered(settings, unsaved, still != 0));

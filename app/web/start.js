@@ -57,10 +57,11 @@ async function start() {
     canvas.height = height;
     const named = nameInAddress() || nameAskedFor();
     const prefers = (what) => matchMedia(`(prefers-${what})`).matches ? 1 : 0;
-    const dark = asked.has("theme") ? Number(asked.get("theme") === "dark") : prefers("color-scheme: dark");
+    const light = ["light", "dark"].find((theme) => theme === asked.get("theme"));
+    const dark = light ? Number(light === "dark") : prefers("color-scheme: dark");
     const settings = storage.get("settings") || (named || owner ? "{}" : "");  // nobody is greeted within another page
-    const failed = call("start", "string", ["string", "string", "string", "number", "number", "number", "number", "number"],
-        [named, settings, named ? "" : storage.get("unsaved"), width, height, scale, dark, prefers("reduced-motion: reduce")]);
+    const failed = call("start", "string", ["string", "string", "string", "number", "number", "number", "number", "number", "number"],
+        [named, settings, named ? "" : storage.get("unsaved"), width, height, scale, dark, light ? 1 : 0, prefers("reduced-motion: reduce")]);
     if (failed) return sorry("Normalscope cannot start: " + failed + ".");
     document.getElementById("wait").hidden = true;
     call("set_in", null, ["number", "number"], [asked.get("panel") === "0" ? 0 : 1, asked.has("present") ? 1 : 0]);

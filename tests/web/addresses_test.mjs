@@ -100,6 +100,45 @@ test("back and forward go from step to step of a lesson", async (t) => {
     await page.close();
 });
 
+test("what is said not to be there is forgotten once something is", async (t) => {
+    const { url } = await serve(t);
+    const { page, said } = await open(browser, url + "#nosuch");
+    for (const bad of ["", "%zz"]) {
+        if (bad) await page.evaluate((hash) => { location.hash = hash; }, bad);
+        await page.waitForFunction((name) => line().includes(name), {}, bad || "nosuch");
+        await page.evaluate(() => { location.hash = "shear"; });
+        await page.waitForFunction(() => document.title.startsWith("shear") && line() === "");
+    }
+    assert.deepEqual(said, []);
+    await page.close();
+});
+
+test("the page is in the light that it is asked for, else in the browser's", async (t) => {
+    const { url } = await serve(t);
+    const theme = async (rest, prefers) => {
+        const page = await browser.newPage();
+        await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: prefers }]);
+        await page.goto(url + rest);
+        await drawn(page);
+        const seen = (await scene(page)).theme ?? "light";
+        await page.close();
+        return seen;
+    };
+    for (const rest of ["", "?scene=shear", "?lesson", "#shear", `#${lesson}/2`, "#exercises:42"])
+        assert.equal(await theme(rest, "dark"), "dark", rest);
+    for (const rest of ["#shear", "&scene=shear", "&lesson", `#${lesson}/2`]) {
+        assert.equal(await theme("?theme=dark" + rest, "light"), "dark", rest);
+        assert.equal(await theme("?theme=light" + rest, "dark"), "light", rest);
+    }
+    const { page } = await open(browser, url + "?theme=dark#shear");
+    await press(page, "n");
+    await page.waitForFunction(() => location.hash.startsWith("#normalscope:1."));
+    const link = await hash(page);
+    await page.close();
+    assert.equal(await theme(link, "light"), "dark", "a reload changes nothing");
+    assert.equal(await theme("?theme=light" + link, "dark"), "light");
+});
+
 test("exercises have their number", async (t) => {
     const { url } = await serve(t);
     const { page } = await open(browser, url + "#exercises:42");
