@@ -10,7 +10,8 @@ const stepOf = (name) => /^(.+)\/\d+$/.exec(name)?.[1];
 // Steps of a lesson are places to go back to; all else replaces what was there.
 function followAddress() {
     const now = call("shown", "string", [], []);
-    if (now === shown) return;
+    if (now === shown || now === awaited?.meanwhile) return;
+    awaited = null;
     const isStep = stepOf(now) && stepOf(now) === stepOf(shown);
     shown = now;
     if (location.hash === "#" + now) return;

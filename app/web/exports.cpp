@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string>
 
@@ -169,6 +170,16 @@ EMSCRIPTEN_KEEPALIVE void page_focus(int focused) {
 EMSCRIPTEN_KEEPALIVE void page_open(const char* name) {
     with_viewer([&](Viewer& viewer) { viewer.open(name); });
 }
+/// A mesh of what the name opens that is not among the page's files. Empty: none is missing, or nothing opens.
+EMSCRIPTEN_KEEPALIVE const char* page_missing(const char* name) {
+    std::string missing;
+    try {
+        for (const std::string& file : meshes_of(read_file(name, {})))
+            if (!std::filesystem::exists(file)) missing = file;
+    } catch (const std::exception&) {  // whoever opens it is told
+    }
+    return given(std::move(missing));
+}
 EMSCRIPTEN_KEEPALIVE void page_complain(const char* line) {
     with_viewer([&](Viewer& viewer) { viewer.complain(line); });
 }
@@ -210,6 +221,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_line() {
     with_viewer([&](const Viewer& viewer) { text = viewer.interface().message(); });
     return given(std::move(text));
 }
+/// A question waits for its answer.
+EMSCRIPTEN_KEEPALIVE int page_asks() { return the_page() && the_page()->viewer().interface().dialog_shown(); }
 EMSCRIPTEN_KEEPALIVE void page_move(int moves) {
     with_viewer([&](Viewer& viewer) { viewer.set_motion(moves != 0); });
 }

@@ -60,12 +60,14 @@ async function start() {
     const light = ["light", "dark"].find((theme) => theme === asked.get("theme"));
     const dark = light ? Number(light === "dark") : prefers("color-scheme: dark");
     const settings = storage.get("settings") || (named || owner ? "{}" : "");  // nobody is greeted within another page
+    const missing = named && call("missing", "string", ["string"], [named]);
     const failed = call("start", "string", ["string", "string", "string", "number", "number", "number", "number", "number", "number"],
-        [named, settings, named ? "" : storage.get("unsaved"), width, height, scale, dark, light ? 1 : 0, prefers("reduced-motion: reduce")]);
+        [missing ? "" : named, settings, named ? "" : storage.get("unsaved"), width, height, scale, dark, light ? 1 : 0, prefers("reduced-motion: reduce")]);
     if (failed) return sorry("Normalscope cannot start: " + failed + ".");
     document.getElementById("wait").hidden = true;
     call("set_in", null, ["number", "number"], [asked.get("panel") === "0" ? 0 : 1, asked.has("present") ? 1 : 0]);
     matchMedia("(prefers-reduced-motion: reduce)").addEventListener("change", (event) => call("move", null, ["number"], [event.matches ? 0 : 1]));
+    if (missing) open(named);  // which says what it waits for
     tell({ normalscope: "ready" });
     frame();
 }
