@@ -167,6 +167,8 @@ private:
     void take(Opened opened);
     /// Among those that the dialog offers, if it is a file.
     void note_file(const std::filesystem::path& file);
+    /// A link may hold the very scene that an earlier session did not come to save: then that goes on without a question.
+    void go_on_with_what_is_shown();
     /// What an earlier session did not come to save.
     void offer();
     void obey(const Reply& reply);

@@ -148,3 +148,56 @@ test("lessons' progress and unsaved work are there again", async (t) => {
     await page.waitForFunction(() => localStorage.getItem("normalscope.settings")?.includes("1-normal-as-a-point"));
     await page.close();
 });
+
+test("a lesson that is being written survives a reload, and is offered until it is answered", async (t) => {
+    const { url } = await serve(t);
+    const { page, said } = await open(browser, url + "#shear");
+    await page.evaluate(() => storage.set("unsaved", JSON.stringify([{
+        file: "mine", scene: { rule: "naive" },
+        lesson: { normalscope: 1, lesson: "Mine", steps: [{ caption: "My own words.", scene: { rule: "naive" } }] }, step: 0,
+    }])));
+    const lessonIsKept = () => page.evaluate(() => Object.values(localStorage).some((text) => text.includes("My own words.")));
+    await page.reload();
+    await drawn(page);
+    assert.ok(await asked(page));
+    await press(page, "Escape");
+    await press(page, "n");
+    await press(page, "c");
+    assert.ok(await lessonIsKept(), "not now: it is still there");
+    await page.waitForFunction(() => location.hash === "#" + call("shown", "string", [], []));
+    await page.reload();
+    await drawn(page);
+    await press(page, "Enter");
+    await page.waitForFunction(() => JSON.parse(call("told", "string", [], [])).caption === "My own words.");
+    assert.deepEqual(said, []);
+    await page.close();
+});
+
+test("a changed scene goes on after a reload, by its address", async (t) => {
+    const { url } = await serve(t);
+    const { page } = await open(browser, url + "#shear");
+    await press(page, "c");
+    await page.waitForFunction(() => location.hash.startsWith("#normalscope:1."));
+    await page.reload();
+    await drawn(page);
+    assert.equal(await asked(page), false);
+    assert.equal((await scene(page)).rule, "cofactor");
+    assert.match(await page.title(), /^\u2022 shear/);
+    await page.close();
+});
+
+test("two pages keep their work apart, and only that of a page that is gone is offered", async (t) => {
+    const { url } = await serve(t);
+    const { page: first } = await open(browser, url + "#shear");
+    await press(first, "c");
+    const { page: second } = await open(browser, url + "#shear");
+    assert.equal(await asked(second), false);
+    await press(second, "n");
+    await first.close();
+    const { page: third } = await open(browser, url + "#split");
+    assert.ok(await asked(third));
+    await press(third, "Enter");
+    assert.equal((await scene(third)).rule, "cofactor");
+    await second.close();
+    await third.close();
+});
