@@ -154,6 +154,16 @@ EMSCRIPTEN_KEEPALIVE void page_button(int button, int down, int modifiers) {
 EMSCRIPTEN_KEEPALIVE void page_scroll(double x, double y) {
     with_viewer([&](Viewer& viewer) { viewer.scroll({x, y}); });
 }
+/// Of a finger, as Viewer has them.
+EMSCRIPTEN_KEEPALIVE int page_grab_to_scroll() {
+    bool grabbed = false;
+    with_viewer([&](Viewer& viewer) { grabbed = viewer.grab_to_scroll(); });
+    return grabbed;
+}
+EMSCRIPTEN_KEEPALIVE void page_scroll_grabbed(double pixels) {
+    with_viewer([&](Viewer& viewer) { viewer.scroll_grabbed(pixels); });
+}
+EMSCRIPTEN_KEEPALIVE int page_holds_what_follows() { return the_page() && the_page()->viewer().holds_what_follows(); }
 EMSCRIPTEN_KEEPALIVE void page_key(const char* key, const char* code, int modifiers, int down, int repeated) {
     with_viewer([&](Viewer& viewer) {
         const ImGuiKeyChord held = modifiers_of(modifiers);
