@@ -14,7 +14,8 @@ set_target_properties(engine PROPERTIES LINK_DEPENDS "${PROJECT_SOURCE_DIR}/app/
 set(page "${PROJECT_SOURCE_DIR}/app/web")
 set(page_parts
   ${page}/page.html ${page}/page.css
-  ${page}/start.js ${page}/screen.js ${page}/keys.js ${page}/hands.js ${page}/exchange.js ${page}/fonts.js ${page}/address.js
+  ${page}/start.js ${page}/screen.js ${page}/keys.js ${page}/hands.js ${page}/fingers.js
+  ${page}/exchange.js ${page}/fonts.js ${page}/address.js
   ${page}/frame.js)
 add_custom_command(OUTPUT "${PROJECT_BINARY_DIR}/normalscope.html"
   COMMAND python3 "${PROJECT_SOURCE_DIR}/cmake/make_page.py" "${PROJECT_BINARY_DIR}/normalscope.html"

@@ -172,6 +172,7 @@ void Interface::show_error(std::string_view line) { state_->messages.show_error(
 void Interface::take_back(std::string_view line) {
     if (state_->messages.text() == line) state_->messages.dismiss();
 }
+void Interface::take_back_error() { (void)state_->messages.dismiss(); }
 void Interface::take_back_note(std::string_view line) { state_->messages.take_back(line); }
 void Interface::show_note(std::string_view line) { state_->messages.show_note(line); }
 std::string_view Interface::message() const { return state_->messages.text(); }

@@ -53,6 +53,8 @@ public:
     void show_error(std::string_view line);
     /// Takes such a line away: what it said is so no more.
     void take_back(std::string_view line);
+    /// The same, whichever it is.
+    void take_back_error();
     /// One line that may go by itself, such as "Saved …".
     void show_note(std::string_view line);
     /// Takes such a line away.

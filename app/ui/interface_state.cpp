@@ -90,13 +90,12 @@ Arrangement InterfaceState::arrangement(glm::ivec2 framebuffer) const {
 void InterfaceState::draw_strip(Scene& scene, const Frame& frame, const Status& status, Requests& requests) {
     const bool about = !scene.about.empty() && status.as_named;
     const bool stopped = scene.stack_position && !stack.player.playing;
-    switch (draw_scene_strip(look,
-                             {.sentence = stopped ? "Stopped partway: " + how_far(scene)
-                                          : about ? said_of(scene).caption
-                                                  : said_of_m(scene),
-                              .plays = !scene.stack.empty(),
-                              .playing = stack.player.playing},
-                             frame.rect)) {
+    const std::string sentence = stopped ? "Stopped partway: " + how_far(scene)
+                                 : about ? said_of(scene).caption
+                                         : said_of_m(scene);
+    letters.want(sentence, look.fonts.title);
+    switch (draw_scene_strip(
+        look, {.sentence = sentence, .plays = !scene.stack.empty(), .playing = stack.player.playing}, frame.rect)) {
         case StripPress::None: break;
         case StripPress::Play: toggle(stack.player, scene); break;
         case StripPress::Why: ask_why(scene); break;

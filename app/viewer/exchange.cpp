@@ -16,6 +16,7 @@
 #include "viewer/copied_command.h"
 #include "viewer/viewer.h"
 
+#include <algorithm>
 #include <chrono>
 #include <ranges>
 #include <utility>
@@ -69,6 +70,22 @@ void Viewer::ask_to_save(const std::vector<Work>& works) {
     const bool lesson = document_.draft.lesson != nullptr;
     gui_.interface.ask(Asked::Closing, lesson ? "Save the lesson?" : "Save the scene?", std::move(text),
                        {"Save", others.empty() ? "Discard" : "Discard all", "Stay"});
+}
+
+void Viewer::go_on_with_what_is_shown() {
+    if (!document_.file().empty() || in_lesson() || exercising()) return;
+    const auto as_linked = [&](const UnsavedWork& work) {
+        Scene scene = work.scene;
+        scene.theme = document_.scene.theme;                     // the room's light
+        if (document_.scene.about.empty()) scene.about.clear();  // a link leaves out what is so no more
+        return !work.draft.lesson && scene == document_.scene;
+    };
+    const auto found = std::ranges::find_if(offered_, as_linked);
+    if (found == offered_.end()) return;
+    UnsavedWork work = std::move(*found);
+    offered_.erase(found);
+    work.scene.theme = document_.scene.theme;
+    document_.recover(work);
 }
 
 void Viewer::offer() {
@@ -191,6 +208,7 @@ void Viewer::note_file(const std::filesystem::path& file) {
 
 void Viewer::take(Opened opened) {
     commit();
+    gui_.interface.take_back_error();  // why something else could not be opened, which would cover this
     note_file(opened.lesson ? opened.lesson->name : opened.file);
     const std::shared_ptr<Origin> left = document_.origin();
     if (opened.exercises) {

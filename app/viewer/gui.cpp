@@ -1,6 +1,6 @@
 #include "viewer/gui.h"
 
-#include <imgui_internal.h>  // InputEventsQueue
+#include <imgui_internal.h>  // InputEventsQueue, windows and how far they are scrolled
 
 #include <algorithm>
 #include <cfloat>
@@ -73,6 +73,29 @@ void Gui::point(std::optional<glm::dvec2> at) {
         ImGui::GetIO().AddMousePosEvent(static_cast<float>(at->x), static_cast<float>(at->y));
     else
         ImGui::GetIO().AddMousePosEvent(-FLT_MAX, -FLT_MAX);
+}
+
+bool Gui::grab_to_scroll() {
+    ImGuiWindow* window = ImGui::GetCurrentContext()->HoveredWindow;
+    while (window && window->ScrollMax.y <= 0.0f && (window->Flags & ImGuiWindowFlags_ChildWindow))
+        window = window->ParentWindow;
+    if (!window || window->ScrollMax.y <= 0.0f) return false;
+    if (ImGui::GetHoveredID() == ImGui::GetWindowScrollbarID(window, ImGuiAxis_Y)) return false;
+    grabbed_ = {window->ID, window->Scroll.y};
+    return true;
+}
+
+void Gui::scroll_grabbed(float pixels) {
+    ImGuiWindow* window = ImGui::FindWindowByID(grabbed_.window);
+    if (!window) return;
+    grabbed_.scrolled = std::clamp(grabbed_.scrolled - pixels, 0.0f, window->ScrollMax.y);
+    ImGui::SetScrollY(window, grabbed_.scrolled);
+}
+
+bool Gui::holds_what_follows() const {
+    const ImGuiContext& imgui = *ImGui::GetCurrentContext();
+    // The arrow keys are a slider's and a field's while it is held, and not a button's.
+    return imgui.DragDropActive || (imgui.ActiveId != 0 && imgui.ActiveIdUsingNavDirMask != 0);
 }
 
 bool Gui::wants_mouse() const { return ImGui::GetIO().WantCaptureMouse; }

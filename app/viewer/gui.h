@@ -25,6 +25,14 @@ public:
     /// No place: the pointer has left.
     void point(std::optional<glm::dvec2> at);
 
+    /// Takes hold of whatever scrolls under the pointer, as a finger on a touch screen does. False: nothing does, or it is
+    /// the scroll bar itself.
+    bool grab_to_scroll();
+    /// What it has hold of moves by so many pixels, down where positive.
+    void scroll_grabbed(float pixels);
+    /// What is held follows the pointer: a number, a text's cursor, a row that is being moved. A button does not.
+    bool holds_what_follows() const;
+
     bool wants_mouse() const;
     bool wants_keyboard() const;
     /// What has been typed into a field is taken as it is.
@@ -44,6 +52,11 @@ private:
     Host& host_;
     std::string clipboard_;  // what Dear ImGui was given last
     double time_ = 0.0;      // of the last round
+
+    struct Grabbed {
+        ImGuiID window = 0;
+        float scrolled = 0.0f;  ///< by now, though Dear ImGui does it only in its next round
+    } grabbed_;
 };
 
 }  // namespace normalscope

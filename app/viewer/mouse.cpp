@@ -47,6 +47,17 @@ void Viewer::scroll(glm::dvec2 steps) {
     if (!gui_.wants_mouse()) pointer_.scroll(document_.scene, steps.y);
 }
 
+bool Viewer::grab_to_scroll() {
+    wake();
+    catch_up();
+    return gui_.grab_to_scroll();
+}
+
+void Viewer::scroll_grabbed(double pixels) {
+    wake();
+    gui_.scroll_grabbed(static_cast<float>(pixels));
+}
+
 void Viewer::focus(bool focused) {
     wake();
     ImGui::GetIO().AddFocusEvent(focused);

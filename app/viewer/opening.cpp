@@ -7,7 +7,6 @@
 #include "core/picture/framing.h"
 
 #include <random>
-#include <set>
 #include <variant>
 
 namespace normalscope {
@@ -16,16 +15,24 @@ namespace {
 
 // The steps' surfaces are made when they are reached. Shapes and formulas have been checked as they were read; of a mesh file
 // only its reader knows.
-void read_meshes(const Lesson& lesson, const Scene& read) {
-    std::set<std::string> files;
-    if (const auto* surface = std::get_if<MeshSurface>(&read.surface)) files.insert(surface->mesh);
-    for (const LessonStep& step : lesson.steps)
-        if (const auto* surface = std::get_if<MeshSurface>(&step.scene.surface);
-            surface && files.insert(surface->mesh).second)
-            (void)load_mesh(surface->mesh);
+void read_meshes_of_steps(const Opened& opened) {
+    for (const std::string& file : meshes_of(opened))
+        if (const auto* first = std::get_if<MeshSurface>(&opened.scene.surface); !first || first->mesh != file)
+            (void)load_mesh(file);
 }
 
 }  // namespace
+
+std::set<std::string> meshes_of(const Opened& opened) {
+    std::set<std::string> files;
+    const auto add = [&](const Scene& scene) {
+        if (const auto* surface = std::get_if<MeshSurface>(&scene.surface)) files.insert(surface->mesh);
+    };
+    add(opened.scene);
+    if (opened.lesson)
+        for (const LessonStep& step : opened.lesson->steps) add(step.scene);
+    return files;
+}
 
 Opened read_file(const std::string& file, const Scene& scene) {
     if (const auto named = name_of_address(file)) return read_file(*named, scene);
@@ -51,7 +58,7 @@ void prepare(Opened& opened) {
     const std::shared_ptr<const Surface> surface = opened.surfaces->get(opened.scene);
     // Once, and not again with each change: what grows would always fill the picture.
     opened.scene = with_zoom(std::move(opened.scene), *surface);
-    if (opened.lesson) read_meshes(*opened.lesson, opened.scene);
+    read_meshes_of_steps(opened);
 }
 
 Opened open_file(const std::string& file, const Scene& scene) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace normalscope {
@@ -23,6 +24,8 @@ struct Opened {
 
 /// Reads it: a scene, a link, a lesson or exercises; a mesh changes the surface of `scene` and no more. Throws InputError.
 Opened read_file(const std::string& file, const Scene& scene);
+/// The files of its surface, and of its lesson's steps.
+std::set<std::string> meshes_of(const Opened& opened);
 /// Does what takes time: makes the scene's surface, and reads every mesh of a lesson, which must not fail in the middle of a
 /// lecture. Throws InputError.
 void prepare(Opened& opened);

@@ -46,6 +46,7 @@ Viewer::Viewer(Host& host, Opened first, Remembered remembered)
     gui_.interface.recent_files() = std::move(remembered.recent_files);
     note_file(document_.file());
     offered_ = std::move(remembered.unsaved);
+    go_on_with_what_is_shown();
     if (remembered.first && motion_ && (document_.file().empty() || document_.file() == kDefaultScene) &&
         !exercising() && !lecture().player.running())
         greeting_ = true, gui_.interface.play(document_.scene);

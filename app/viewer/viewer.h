@@ -39,6 +39,12 @@ public:
     void release(int button, ImGuiKeyChord modifiers);
     /// Positive y: away from the user.
     void scroll(glm::dvec2 steps);
+    /// By a finger that moves up or down: what is under the pointer scrolls with it. False: nothing there does.
+    bool grab_to_scroll();
+    /// By so many pixels, down where positive.
+    void scroll_grabbed(double pixels);
+    /// What is held follows the pointer, as a number does; a button does not, and is pressed only by a tap.
+    bool holds_what_follows() const { return pointer_.busy() || gui_.holds_what_follows(); }
     void press(const KeyPress& key);
     void release(const KeyPress& key);
     void type(char32_t letter);
@@ -167,6 +173,8 @@ private:
     void take(Opened opened);
     /// Among those that the dialog offers, if it is a file.
     void note_file(const std::filesystem::path& file);
+    /// A link may hold the very scene that an earlier session did not come to save: then that goes on without a question.
+    void go_on_with_what_is_shown();
     /// What an earlier session did not come to save.
     void offer();
     void obey(const Reply& reply);

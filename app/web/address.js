@@ -10,7 +10,8 @@ const stepOf = (name) => /^(.+)\/\d+$/.exec(name)?.[1];
 // Steps of a lesson are places to go back to; all else replaces what was there.
 function followAddress() {
     const now = call("shown", "string", [], []);
-    if (now === shown) return;
+    if (now === shown || now === awaited?.meanwhile) return;
+    awaited = null;
     const isStep = stepOf(now) && stepOf(now) === stepOf(shown);
     shown = now;
     if (location.hash === "#" + now) return;
@@ -22,7 +23,7 @@ function followAddress() {
 window.addEventListener("popstate", () => {
     if (!engine || !nameInAddress()) return;
     clearTimeout(following);
-    shown = decodeURIComponent(location.hash.slice(1));
+    shown = location.hash.slice(1);
     open(location.hash);
 });
 

@@ -3,9 +3,29 @@
 const largestFile = 512 * 1024 * 1024;
 const complain = (line) => { call("complain", null, ["string"], [line]); wake(); };
 
+const lastOf = (path) => path.split("/").pop();
+
+// What cannot be opened before a file is here, and what is shown meanwhile: the address stays until something else is.
+let awaited = null;
+
+// A mesh is found by its last name, wherever it lay for whoever made the link.
 function open(name) {
-    call("open", null, ["string"], [name]);
+    const missing = call("missing", "string", ["string"], [name]);
+    awaited = null;
+    if (missing && !liesElsewhere(missing)) {
+        awaited = { name, file: missing, meanwhile: call("shown", "string", [], []) };
+        complain(`${lastOf(missing)}: this page does not have the file, which the scene needs; drop it here, or open it`);
+    } else {
+        call("open", null, ["string"], [name]);
+    }
     wake();
+}
+function liesElsewhere(missing) {
+    const here = "/" + lastOf(missing), { FS } = engine;
+    if (here === missing || !FS.analyzePath(here).exists) return false;
+    FS.mkdirTree(missing.slice(0, missing.lastIndexOf("/")) || "/");
+    FS.symlink(here, missing);
+    return true;
 }
 
 // Its path within the page.
@@ -16,21 +36,27 @@ async function take(file) {
     return path;
 }
 
-async function openFile(file) {
-    try {
-        open(await take(file));
-    } catch (error) {
-        complain(`${file.name}: cannot be read: ${error.message || error.name}`);
-    }
+// All of them come into the page, since a scene may name others of them.
+async function openFiles(files) {
+    const paths = [];
+    for (const file of files)
+        try {
+            paths.push(await take(file));
+        } catch (error) {
+            return complain(`${file.name}: cannot be read: ${error.message || error.name}`);
+        }
+    if (paths.length === 0) return;
+    if (awaited && paths.some((path) => lastOf(path) === lastOf(awaited.file))) open(awaited.name);
+    else open(paths.find((path) => /\.json$/i.test(path)) ?? paths[0]);
 }
 
 const chooser = document.getElementById("file");
 page.chooseFile = () => { chooser.value = ""; chooser.click(); };
-chooser.addEventListener("change", () => chooser.files[0] && openFile(chooser.files[0]));
+chooser.addEventListener("change", () => openFiles([...chooser.files]));
 window.addEventListener("dragover", (event) => event.preventDefault());
 window.addEventListener("drop", (event) => {
     event.preventDefault();
-    if (engine && event.dataTransfer.files[0]) openFile(event.dataTransfer.files[0]);
+    if (engine) openFiles([...event.dataTransfer.files]);
 });
 
 page.download = (name, bytes) => {

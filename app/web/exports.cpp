@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string>
 
@@ -50,12 +51,19 @@ void with_viewer(Work&& work) {
     }
 }
 
-Opened first_of(const std::string& name, bool dark, std::string& complaint) {
+/// The room's light; a link says in which it was seen, which holds unless the page is `asked` for this one.
+struct Light {
+    bool dark, asked;
+};
+
+Opened first_of(const std::string& name, Light light, std::string& complaint) {
     Opened first{.file = std::string(kDefaultScene), .scene = load_scene(std::string(kDefaultScene))};
-    if (dark) first.scene.theme = Theme::Dark;
+    first.scene.theme = light.dark ? Theme::Dark : Theme::Light;
     if (name.empty()) return first;
     try {
         Opened opened = read_file(name, first.scene);
+        const bool link = opened.file.empty();
+        if (light.asked || !link) opened.scene.theme = first.scene.theme;
         prepare(opened);
         return opened;
     } catch (const std::exception& e) {
@@ -101,10 +109,10 @@ extern "C" {
 
 /// Opens what the address names, or the default scene. Empty, or why there is no program here.
 EMSCRIPTEN_KEEPALIVE const char* page_start(const char* name, const char* settings, const char* unsaved, int width,
-                                            int height, double scale, int dark, int still) {
+                                            int height, double scale, int dark, int asked_light, int still) {
     try {
         std::string complaint;
-        Opened first = first_of(name, dark != 0, complaint);
+        Opened first = first_of(name, {dark != 0, asked_light != 0}, complaint);
         prepare(first);
         the_page() = std::make_unique<Page>(glm::ivec2(width, height), static_cast<float>(scale), std::move(first),
                                             remembered(settings, unsaved, still != 0));
@@ -146,6 +154,16 @@ EMSCRIPTEN_KEEPALIVE void page_button(int button, int down, int modifiers) {
 EMSCRIPTEN_KEEPALIVE void page_scroll(double x, double y) {
     with_viewer([&](Viewer& viewer) { viewer.scroll({x, y}); });
 }
+/// Of a finger, as Viewer has them.
+EMSCRIPTEN_KEEPALIVE int page_grab_to_scroll() {
+    bool grabbed = false;
+    with_viewer([&](Viewer& viewer) { grabbed = viewer.grab_to_scroll(); });
+    return grabbed;
+}
+EMSCRIPTEN_KEEPALIVE void page_scroll_grabbed(double pixels) {
+    with_viewer([&](Viewer& viewer) { viewer.scroll_grabbed(pixels); });
+}
+EMSCRIPTEN_KEEPALIVE int page_holds_what_follows() { return the_page() && the_page()->viewer().holds_what_follows(); }
 EMSCRIPTEN_KEEPALIVE void page_key(const char* key, const char* code, int modifiers, int down, int repeated) {
     with_viewer([&](Viewer& viewer) {
         const ImGuiKeyChord held = modifiers_of(modifiers);
@@ -161,6 +179,16 @@ EMSCRIPTEN_KEEPALIVE void page_focus(int focused) {
 }
 EMSCRIPTEN_KEEPALIVE void page_open(const char* name) {
     with_viewer([&](Viewer& viewer) { viewer.open(name); });
+}
+/// A mesh of what the name opens that is not among the page's files. Empty: none is missing, or nothing opens.
+EMSCRIPTEN_KEEPALIVE const char* page_missing(const char* name) {
+    std::string missing;
+    try {
+        for (const std::string& file : meshes_of(read_file(name, {})))
+            if (!std::filesystem::exists(file)) missing = file;
+    } catch (const std::exception&) {  // whoever opens it is told
+    }
+    return given(std::move(missing));
 }
 EMSCRIPTEN_KEEPALIVE void page_complain(const char* line) {
     with_viewer([&](Viewer& viewer) { viewer.complain(line); });
@@ -203,6 +231,8 @@ EMSCRIPTEN_KEEPALIVE const char* page_line() {
     with_viewer([&](const Viewer& viewer) { text = viewer.interface().message(); });
     return given(std::move(text));
 }
+/// A question waits for its answer.
+EMSCRIPTEN_KEEPALIVE int page_asks() { return the_page() && the_page()->viewer().interface().dialog_shown(); }
 EMSCRIPTEN_KEEPALIVE void page_move(int moves) {
     with_viewer([&](Viewer& viewer) { viewer.set_motion(moves != 0); });
 }

@@ -4,6 +4,7 @@ const owner = window.parent !== window ? window.parent : null;
 const tell = (what) => owner?.postMessage(what, "*");
 
 let told = "", askedFor = null;
+const answers = new Map();  // by step: those that the owner knows of
 function tellWhatIsShown() {
     const now = owner ? call("told", "string", [], []) : "";
     if (now === told && askedFor === null) return;
@@ -13,8 +14,10 @@ function tellWhatIsShown() {
     if (askedFor !== null) tell({ normalscope: "shown", ...what, asked: askedFor });
     else if (before.name !== what.name) tell({ normalscope: "shown", ...what });
     askedFor = null;
-    if (answer && (before.answer !== answer || before.name !== what.name))
+    const place = `${what.lesson}/${what.step}`;
+    if (answer && answers.get(place) !== answer)
         tell({ normalscope: "answered", lesson: what.lesson, step: what.step, answer, right });
+    answers.set(place, answer);
 }
 
 const doings = {

@@ -1,7 +1,4 @@
-// Mouse, pen and fingers.
-
-const fingers = new Map();  // by their number: where they are, in pixels of the canvas
-let two = null;             // of two fingers: their middle and distance
+// Mouse and pen; what a finger does is in fingers.js.
 
 const place = (event) => ({ x: event.clientX * canvas.width / canvas.clientWidth, y: event.clientY * canvas.height / canvas.clientHeight });
 const point = ({ x, y }) => call("pointer", null, ["number", "number"], [x, y]);
@@ -36,57 +33,6 @@ canvas.addEventListener("pointerleave", (event) => {
     if (engine && event.pointerType !== "touch") call("pointer_left", null, [], []), wake();
 });
 canvas.addEventListener("contextmenu", (event) => event.preventDefault());
-
-// One finger is the left button. With a second one both pan and pinch, until all are lifted.
-function touch(event) {
-    fingers.set(event.pointerId, place(event));
-    if (fingers.size === 1) {
-        point(place(event));
-        settleOnce();
-        button(0, true, 0);
-    } else if (fingers.size === 2) {
-        button(0, false, 0);
-        two = pair();
-        if (!call("on_control", "number", [], [])) {
-            point(two);
-            button(1, true, 0);
-        }
-    }
-    wake();
-}
-// What is under a finger is known only after a round with the pointer there.
-function settleOnce() {
-    call("step", "number", [], []);
-    call("step", "number", [], []);
-}
-function pair() {
-    const [a, b] = [...fingers.values()];
-    return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2, apart: Math.hypot(a.x - b.x, a.y - b.y) };
-}
-function moveFinger(event) {
-    if (!fingers.has(event.pointerId)) return;
-    fingers.set(event.pointerId, place(event));
-    if (!two) {
-        point(place(event));
-    } else if (fingers.size === 2) {
-        const now = pair();
-        if (two.apart > 0 && now.apart > 0) call("scroll", null, ["number", "number"], [0, 8 * Math.log2(now.apart / two.apart)]);
-        point(now);
-        two = now;
-    }
-    wake();
-}
-function liftFinger(event) {
-    if (!fingers.delete(event.pointerId)) return;
-    if (two && fingers.size === 1) button(1, false, 0);
-    if (!two && fingers.size === 0) button(0, false, 0);
-    if (fingers.size === 0) {
-        two = null;
-        settle();
-        call("pointer_left", null, [], []);
-    }
-    wake();
-}
 
 // A notch of a mouse's wheel is one step, whatever unit the browser counts in.
 canvas.addEventListener("wheel", (event) => {

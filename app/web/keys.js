@@ -44,8 +44,8 @@ window.addEventListener("keyup", (event) => {
 window.addEventListener("paste", (event) => {
     if (!engine || event.target.closest?.("dialog")) return;
     event.preventDefault();
-    const file = event.clipboardData.files[0];
-    if (file) return openFile(file);
+    const files = [...event.clipboardData.files];
+    if (files.length > 0) return openFiles(files);
     call("pasted", null, ["string"], [event.clipboardData.getData("text/plain")]);
     const key = pasting || { key: "v", code: "KeyV", ctrlKey: true };
     passKey(key, true);

@@ -122,6 +122,14 @@ TEST_F(FilesTest, WhatCannotBeOpenedSaysWhyAndChangesNothing) {
     EXPECT_EQ(scene().rule, Rule::Naive);
 }
 
+TEST_F(FilesTest, WhatIsOpenedTakesAnErrorAway) {
+    start();
+    open("nosuch");
+    EXPECT_NE(message().find("nosuch"), std::string::npos);
+    open("shear");
+    EXPECT_EQ(message(), "");
+}
+
 TEST_F(FilesTest, SavingByAPath) {
     fs::create_directories(folder_.path() / "deep");
     start();

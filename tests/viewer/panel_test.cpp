@@ -309,5 +309,42 @@ TEST_F(PanelTest, PlayingEndsWithTheWholeStackAndIsNothingToUndo) {
     EXPECT_EQ(scene(), two);
 }
 
+TEST_F(PanelTest, AFingerScrollsWhateverDoes) {
+    host_.size = {1000, 420};
+    start();
+    const Item slider = bar("##y");
+    ImGuiWindow& rest = *slider.window();
+    point(middle(slider));
+    ASSERT_TRUE(viewer().grab_to_scroll());
+    const float before = rest.Scroll.y;
+    viewer().pointer_left();
+    for (const double pixels : {-20.0, -15.0}) viewer().scroll_grabbed(pixels);  // before one picture
+    settle();
+    EXPECT_EQ(rest.Scroll.y, before + 35);
+    viewer().scroll_grabbed(1e4);
+    settle();
+    EXPECT_EQ(rest.Scroll.y, 0);
+    point(ground());
+    EXPECT_FALSE(viewer().grab_to_scroll());
+    const ImVec2 bar_middle = ImGui::GetWindowScrollbarRect(&rest, ImGuiAxis_Y).GetCenter();
+    point({bar_middle.x, bar_middle.y});
+    EXPECT_FALSE(viewer().grab_to_scroll()) << "the scroll bar is dragged";
+}
+
+TEST_F(PanelTest, ASliderFollowsTheFingerAndAButtonDoesNot) {
+    start();
+    point(middle(bar("##y")));
+    EXPECT_FALSE(viewer().holds_what_follows());
+    press();
+    EXPECT_TRUE(viewer().holds_what_follows());
+    release();
+    point(middle(rule("naive")));
+    press();
+    EXPECT_FALSE(viewer().holds_what_follows());
+    viewer().pointer_left();
+    release();
+    EXPECT_EQ(scene().rule, Rule::InverseTranspose) << "let go elsewhere";
+}
+
 }  // namespace
 }  // namespace normalscope

@@ -354,5 +354,24 @@ TEST_F(WorkTest, WhatIsOfferedHasItsNameAndIsKeptUntilItIsAnswered) {
     EXPECT_EQ(host_.kept, "");
 }
 
+TEST_F(WorkTest, WhatALinkHoldsGoesOnAndOnlyTheRestIsOffered) {
+    Scene left = light();
+    left.rule = Rule::Cofactor;
+    Scene linked = left;
+    linked.theme = Theme::Dark;  // another room
+    start(linked, "", {.scale = {}, .lessons = {}, .unsaved = {{path("s.json"), left}}});
+    EXPECT_FALSE(asked());
+    EXPECT_EQ(scene(), linked);
+    EXPECT_EQ(named(), "s.json");
+    EXPECT_TRUE(is_unsaved());
+    EXPECT_EQ(kept(), linked);
+
+    const auto lesson = std::make_shared<const Lesson>(new_lesson(left));
+    start(linked, "", {.scale = {}, .lessons = {}, .unsaved = {{"mine", left, {lesson, 0}}}});
+    EXPECT_TRUE(asked()) << "the scene is not the lesson";
+    keys({ImGuiKey_Escape, ImGuiKey_I});
+    EXPECT_EQ(parse_unsaved(host_.kept, "kept").front().draft.lesson->title, lesson->title);
+}
+
 }  // namespace
 }  // namespace normalscope

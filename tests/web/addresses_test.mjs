@@ -72,6 +72,15 @@ test("slides drive it: docs/slides.html", async (t) => {
     await page.close();
 });
 
+test("?lesson and ?scene name what an address does", async (t) => {
+    const { url } = await serve(t);
+    for (const [asks, step] of [[`lesson=${lesson}/3`, 3], [`scene=${lesson}/2`, 2]]) {
+        const { page } = await open(browser, url + "?" + asks);
+        assert.equal(JSON.parse(await ask(page, "told")).step, step);
+        await page.close();
+    }
+});
+
 test("back and forward go from step to step of a lesson", async (t) => {
     const { url } = await serve(t);
     const { page, said } = await open(browser, `${url}#${lesson}/2`);
@@ -89,6 +98,45 @@ test("back and forward go from step to step of a lesson", async (t) => {
     assert.equal(JSON.parse(await ask(page, "told")).step, 4);
     assert.deepEqual(said, []);
     await page.close();
+});
+
+test("what is said not to be there is forgotten once something is", async (t) => {
+    const { url } = await serve(t);
+    const { page, said } = await open(browser, url + "#nosuch");
+    for (const bad of ["", "%zz"]) {
+        if (bad) await page.evaluate((hash) => { location.hash = hash; }, bad);
+        await page.waitForFunction((name) => line().includes(name), {}, bad || "nosuch");
+        await page.evaluate(() => { location.hash = "shear"; });
+        await page.waitForFunction(() => document.title.startsWith("shear") && line() === "");
+    }
+    assert.deepEqual(said, []);
+    await page.close();
+});
+
+test("the page is in the light that it is asked for, else in the browser's", async (t) => {
+    const { url } = await serve(t);
+    const theme = async (rest, prefers) => {
+        const page = await browser.newPage();
+        await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: prefers }]);
+        await page.goto(url + rest);
+        await drawn(page);
+        const seen = (await scene(page)).theme ?? "light";
+        await page.close();
+        return seen;
+    };
+    for (const rest of ["", "?scene=shear", "?lesson", "#shear", `#${lesson}/2`, "#exercises:42"])
+        assert.equal(await theme(rest, "dark"), "dark", rest);
+    for (const rest of ["#shear", "&scene=shear", "&lesson", `#${lesson}/2`]) {
+        assert.equal(await theme("?theme=dark" + rest, "light"), "dark", rest);
+        assert.equal(await theme("?theme=light" + rest, "dark"), "light", rest);
+    }
+    const { page } = await open(browser, url + "?theme=dark#shear");
+    await press(page, "n");
+    await page.waitForFunction(() => location.hash.startsWith("#normalscope:1."));
+    const link = await hash(page);
+    await page.close();
+    assert.equal(await theme(link, "light"), "dark", "a reload changes nothing");
+    assert.equal(await theme("?theme=light" + link, "dark"), "light");
 });
 
 test("exercises have their number", async (t) => {
@@ -115,6 +163,17 @@ test("a page around it is told of steps and answers, and may ask for steps", asy
     await send({ normalscope: "open", name: "shear" });
     await page.waitForFunction(() => heard.some((what) => what.name === "shear"));
     assert.equal(await page.evaluate("heard[0].normalscope"), "ready");
+    await send({ normalscope: "open", name: `${lesson}/3` });
+    await page.waitForFunction((name) => heard.some((what) => what.asked === name && what.name === name), {}, `${lesson}/3`);
+    await inner.evaluate(() => tap("a"));
+    const answered = () => page.evaluate(() => heard.filter((what) => what.normalscope === "answered").length);
+    await page.waitForFunction(() => heard.some((what) => what.normalscope === "answered" && what.step === 3));
+    for (const step of [2, 3]) {
+        await send({ normalscope: "step", step });
+        await page.waitForFunction((wanted) => heard.at(-1).step === wanted, {}, step);
+    }
+    await drawn(inner);
+    assert.equal(await answered(), 1);
     await send({ normalscope: "reboot" });
     await inner.waitForFunction(() => line().includes('asks for "reboot"'));
     await send({ other: 1 });

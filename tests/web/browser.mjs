@@ -81,6 +81,9 @@ export async function open(browser, url, { width = 960, height = 600, scale = 1,
     const page = await browser.newPage();
     const said = listen(page);
     await page.setViewport({ width, height, deviceScaleFactor: scale, hasTouch: touch, isMobile: touch });
+    // Files share their storage: what one test leaves unsaved would be offered to the next.
+    if (url.startsWith("file:"))
+        await page.evaluateOnNewDocument(() => { if (!sessionStorage.begun) localStorage.clear(), sessionStorage.begun = 1; });
     await page.goto(url);
     await drawn(page);
     return { page, said };

@@ -10,12 +10,14 @@ import { drawn, fileUrl, folder, launch, open, press, scene, serve } from "./bro
 const browser = await launch();
 test.after(() => browser.close());
 
+const asked = (page) => page.evaluate(() => call("asks", "number", [], []) !== 0);
 const tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-const drop = (page, name, text) => page.evaluate((file, content) => {
+const dropTogether = (page, files) => page.evaluate((each) => {
     const data = new DataTransfer();
-    data.items.add(new File([content], file));
+    for (const [name, content] of each) data.items.add(new File([content], name));
     window.dispatchEvent(Object.assign(new Event("drop", { cancelable: true }), { dataTransfer: data }));
-}, name, text);
+}, files);
+const drop = (page, name, text) => dropTogether(page, [[name, text]]);
 
 test("dropped: a mesh, a scene, and what is neither", async () => {
     const { page, said } = await open(browser, fileUrl);
@@ -31,10 +33,52 @@ test("dropped: a mesh, a scene, and what is neither", async () => {
     await page.close();
 });
 
+test("a scene and its mesh are dropped together, or one after the other", async () => {
+    const mine = JSON.stringify({ rule: "naive", surface: { mesh: "../meshes/solid.obj" } });
+    for (const files of [[["solid.obj", tetrahedron], ["mine.json", mine]], [["mine.json", mine], ["solid.obj", tetrahedron]]]) {
+        const { page, said } = await open(browser, fileUrl);
+        await dropTogether(page, files);
+        await page.waitForFunction(() => document.title.includes("mine.json"));
+        assert.equal((await scene(page)).rule, "naive");
+        assert.equal(await page.evaluate("line()"), "");
+        assert.deepEqual(said, []);
+        await page.close();
+    }
+    const { page } = await open(browser, fileUrl);
+    await drop(page, "mine.json", mine);
+    await page.waitForFunction(() => line().startsWith("solid.obj: "));
+    await drop(page, "solid.obj", tetrahedron);
+    await page.waitForFunction(() => document.title.includes("mine.json"));
+    assert.equal(await page.evaluate("line()"), "");
+    await page.close();
+});
+
+test("after a reload a dropped mesh is asked for, and the address is kept", async (t) => {
+    const { url } = await serve(t);
+    const { page, said } = await open(browser, url);
+    await drop(page, "solid.obj", tetrahedron);
+    await page.waitForFunction(() => location.hash.startsWith("#normalscope:1."));
+    await press(page, "n");
+    await new Promise((done) => setTimeout(done, 400));
+    const before = await page.evaluate("location.hash");
+    await page.reload();
+    await drawn(page);
+    if (await asked(page)) await press(page, "Escape");
+    await new Promise((done) => setTimeout(done, 400));
+    assert.equal(await page.evaluate("location.hash"), before);
+    assert.match(await page.evaluate("line()"), /^solid.obj: .*drop it/);
+    await drop(page, "solid.obj", tetrahedron);
+    await page.waitForFunction(() => JSON.parse(call("scene", "string", [], [])).surface.mesh === "/solid.obj");
+    assert.equal((await scene(page)).rule, "naive");
+    assert.equal(await page.evaluate("line()"), "");
+    assert.deepEqual(said, []);
+    await page.close();
+});
+
 test("a file that is too large, and storage that is full", async () => {
     const { page, said } = await open(browser, fileUrl);
     await page.evaluate(() => { Storage.prototype.setItem = () => { throw new DOMException("full", "QuotaExceededError"); }; });
-    await page.evaluate(() => openFile({ name: "huge.obj", size: 2 ** 33 }));
+    await page.evaluate(() => openFiles([{ name: "huge.obj", size: 2 ** 33 }]));
     await page.waitForFunction(() => line() === "huge.obj: cannot be read: larger than 512 MB, the most that a page reads");
     await press(page, "n");
     assert.equal((await scene(page)).rule, "naive");
@@ -103,4 +147,57 @@ test("lessons' progress and unsaved work are there again", async (t) => {
     const { page } = await open(browser, url + "#1-normal-as-a-point/3");
     await page.waitForFunction(() => localStorage.getItem("normalscope.settings")?.includes("1-normal-as-a-point"));
     await page.close();
+});
+
+test("a lesson that is being written survives a reload, and is offered until it is answered", async (t) => {
+    const { url } = await serve(t);
+    const { page, said } = await open(browser, url + "#shear");
+    await page.evaluate(() => storage.set("unsaved", JSON.stringify([{
+        file: "mine", scene: { rule: "naive" },
+        lesson: { normalscope: 1, lesson: "Mine", steps: [{ caption: "My own words.", scene: { rule: "naive" } }] }, step: 0,
+    }])));
+    const lessonIsKept = () => page.evaluate(() => Object.values(localStorage).some((text) => text.includes("My own words.")));
+    await page.reload();
+    await drawn(page);
+    assert.ok(await asked(page));
+    await press(page, "Escape");
+    await press(page, "n");
+    await press(page, "c");
+    assert.ok(await lessonIsKept(), "not now: it is still there");
+    await page.waitForFunction(() => location.hash === "#" + call("shown", "string", [], []));
+    await page.reload();
+    await drawn(page);
+    await press(page, "Enter");
+    await page.waitForFunction(() => JSON.parse(call("told", "string", [], [])).caption === "My own words.");
+    assert.deepEqual(said, []);
+    await page.close();
+});
+
+test("a changed scene goes on after a reload, by its address", async (t) => {
+    const { url } = await serve(t);
+    const { page } = await open(browser, url + "#shear");
+    await press(page, "c");
+    await page.waitForFunction(() => location.hash.startsWith("#normalscope:1."));
+    await page.reload();
+    await drawn(page);
+    assert.equal(await asked(page), false);
+    assert.equal((await scene(page)).rule, "cofactor");
+    assert.match(await page.title(), /^\u2022 shear/);
+    await page.close();
+});
+
+test("two pages keep their work apart, and only that of a page that is gone is offered", async (t) => {
+    const { url } = await serve(t);
+    const { page: first } = await open(browser, url + "#shear");
+    await press(first, "c");
+    const { page: second } = await open(browser, url + "#shear");
+    assert.equal(await asked(second), false);
+    await press(second, "n");
+    await first.close();
+    const { page: third } = await open(browser, url + "#split");
+    assert.ok(await asked(third));
+    await press(third, "Enter");
+    assert.equal((await scene(third)).rule, "cofactor");
+    await second.close();
+    await third.close();
 });

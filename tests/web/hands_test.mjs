@@ -80,6 +80,58 @@ test("fingers: one orbits, two pinch, a tap picks; the keyboard comes for a fiel
     await page.close();
 });
 
+// One finger from place to place, as slowly as a hand.
+async function swipe(page, [x, y], ...way) {
+    const finger = await page.touchscreen.touchStart(x, y);
+    for (const [toX, toY] of way) {
+        await new Promise((done) => setTimeout(done, 30));
+        await finger.move(toX, toY);
+    }
+    await finger.end();
+    await drawn(page);
+}
+
+test("a finger scrolls a lesson's words, and presses no answer on which it began", async () => {
+    const { page, said } = await open(browser, fileUrl + "#1-normal-as-a-point/3", { width: 844, height: 390, scale: 2, touch: true });
+    const answer = async () => JSON.parse(await ask(page, "told")).answer;
+    await swipe(page, [600, 358], [600, 340], [600, 300], [600, 200]);  // from the only answer that is seen
+    await swipe(page, [500, 315], [530, 316], [600, 317]);
+    assert.equal(await answer(), undefined);
+    await swipe(page, [600, 345]);
+    assert.equal(await answer(), 3);
+    assert.deepEqual(said, []);
+    await page.close();
+});
+
+test("in the drawer a finger moves a slider sideways, and the controls up and down", async () => {
+    const { page, said } = await open(browser, fileUrl, { width: 390, height: 844, scale: 2, touch: true });
+    await swipe(page, [195, 825]);
+    const before = await scene(page);
+    await swipe(page, [180, 795], [181, 770], [182, 740], [182, 700]);
+    assert.deepEqual(await scene(page), before);
+    await swipe(page, [182, 700], [181, 740], [180, 800], [180, 840]);  // and back
+    await swipe(page, [180, 795], [200, 796], [220, 797], [240, 797]);
+    assert.notDeepEqual((await scene(page)).stack, before.stack);
+    assert.deepEqual(said, []);
+    await page.close();
+});
+
+test("the probe stays where it is under the first of two fingers", async () => {
+    const { page } = await open(browser, fileUrl, { width: 390, height: 844, scale: 2, touch: true });
+    const { probe, camera } = await scene(page);
+    const [a, b] = [await page.touchscreen.touchStart(185, 500), await page.touchscreen.touchStart(260, 400)];
+    await a.move(165, 520);
+    await b.move(290, 370);
+    await a.end();
+    await b.end();
+    await drawn(page);
+    assert.ok((await scene(page)).camera.zoom > (camera.zoom ?? 0));
+    assert.deepEqual((await scene(page)).probe, probe);
+    await swipe(page, [185, 430]);
+    assert.notDeepEqual((await scene(page)).probe, probe, "a tap places it");
+    await page.close();
+});
+
 test("a phone shows the picture first, and the controls below it", async () => {
     const { page } = await open(browser, fileUrl, { width: 390, height: 844, scale: 2, touch: true });
     const shown = JSON.parse(await ask(page, "numbers")).picture ?? null;

@@ -2,7 +2,6 @@
 
 #include "core/base/error.h"
 #include "core/base/html.h"
-#include "core/lessons/lesson.h"
 
 #include <algorithm>
 #include <array>
@@ -49,8 +48,6 @@ std::optional<std::string> name_of_address(std::string_view text) {
     const auto mark = text.find('#');
     std::string name = mark == text.npos ? "" : decoded(text.substr(mark + 1));
     if (name.empty()) throw InputError("address", "ends with an empty #; copy it from the page by Ctrl+L");
-    const auto slash = name.rfind('/');
-    if (slash != name.npos && is_built_in_lesson(name.substr(0, slash))) name[slash] = '#';
     return name;
 }
 

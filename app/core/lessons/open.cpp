@@ -104,9 +104,12 @@ Contents contents_of_standard_input() {
     return contents_of_json(text, "standard input", {});
 }
 
-// "NAME#n". Empty where NAME is nothing that could have steps: a file's name may have a # of its own.
+// "NAME#n", or of a built-in lesson "NAME/n", as addresses have it. Empty where NAME is nothing that could have steps: a
+// file's name may have a # of its own.
 std::optional<Contents> step_of(const std::string& name) {
-    const auto mark = name.rfind('#');
+    const auto slash = name.rfind('/');
+    const bool as_in_address = slash != std::string::npos && is_built_in_lesson(name.substr(0, slash));
+    const auto mark = as_in_address ? slash : name.rfind('#');
     if (mark == std::string::npos) return std::nullopt;
     const std::string whole = name.substr(0, mark), digits = name.substr(mark + 1);
     if (!is_built_in_lesson(whole) && ending_of(whole) != ".json") return std::nullopt;

@@ -27,7 +27,7 @@ struct OpenedLesson {
 using Contents = std::variant<Scene, MeshFile, OpenedLesson, ExercisesName>;
 
 /// The one way from a name to what it means: a scene's or a lesson's file (.json, whose mesh paths are taken relative to
-/// it), a mesh's, a built-in scene or lesson, a lesson's n-th step ("NAME#n"), a link, a page's address, exercises, or
+/// it), a mesh's, a built-in scene or lesson, a lesson's n-th step ("NAME#n", or "NAME/n"), a link, a page's address, exercises, or
 /// standard input ("-"), which holds a scene, a lesson or a link. A file is read once. Throws InputError.
 Contents open_name(const std::string& name);
 

@@ -133,20 +133,22 @@ Fonts build_fonts(float scale, ExtraLetters& extra, Previews* previews, bool cap
         return font;
     };
     Fonts fonts;
-    const auto all = [&](float em) {
-        ImFont* font = both(kRegular, em, kLatin.data(), kMath.data());
+    const auto with_extra = [&](const Face& face, float em, const ImWchar* latin, const ImWchar* math) {
+        ImFont* font = both(face, em, latin, math);
         if (letters.size() > 1) {
-            baker.merge(kRegular, em, letters.data(), font);
+            baker.merge(face, em, letters.data(), font);
             baker.merge(kSymbols, em * kSymbolsSize, letters.data(), font);
             for (const FontFile& found : extra.found()) baker.merge(found, em, letters.data());
-            extra.drawn().reserve(atlas, font, em * scale, std::round(em * kRegular.height * scale) * kAscent);
+            extra.drawn().reserve(atlas, font, em * scale, std::round(em * face.height * scale) * kAscent);
         }
         return font;
     };
+    const auto all = [&](float em) { return with_extra(kRegular, em, kLatin.data(), kMath.data()); };
+    const auto few = [&](float em) { return with_extra(kSemibold, em, kLatinFew.data(), kMathFew.data()); };
     fonts.body = all(kBodySize);
     fonts.small = all(13.0f);
-    fonts.strong = both(kSemibold, kBodySize, kLatinFew.data(), kMathFew.data());
-    fonts.title = both(kSemibold, 20.0f, kLatinFew.data(), kMathFew.data());
+    fonts.strong = few(kBodySize);
+    fonts.title = few(20.0f);
     fonts.letters = baker.add(kSlanted, 20.0f, kLetters.data());
     fonts.upright = baker.add(kRegular, 20.0f, kDigits.data());
     baker.merge(kSymbols, 20.0f * kSymbolsSize, kSigns.data(), fonts.upright);

@@ -29,7 +29,7 @@ struct Fonts {
     ImFont *caption_letters = nullptr, *equation_letters = nullptr;  ///< the same sizes, slanted: names of one letter
 };
 
-/// Letters beyond those that the interface itself uses: those of file names, messages and lessons. Baking every letter of
+/// Letters beyond those that the interface itself uses: those of file names, messages, lessons and scenes' sentences. Baking every letter of
 /// every script at the start would cost more than all else that the interface does.
 class ExtraLetters {
 public:

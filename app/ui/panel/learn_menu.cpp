@@ -5,6 +5,7 @@
 #include "ui/panel/panel_memory.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <string>
 
 namespace normalscope {
@@ -84,8 +85,10 @@ void learn_menu(const Scene& scene, PanelMemory& memory, const PanelContext& con
     tip(look, "Lessons, exercises, and a gallery of surfaces.");
     if (pressed) ImGui::OpenPopup("##learning");
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    ImGui::SetNextWindowPos({low.x, high.y + look.px(4)});
+    const float top = high.y + look.px(4), room = ImGui::GetIO().DisplaySize.y - top - look.px(4);
+    ImGui::SetNextWindowPos({low.x, top});
     ImGui::SetNextWindowSize({look.px(kMenuWidth), 0});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {FLT_MAX, std::max(room, look.px(120))});  // it scrolls
     if (!ImGui::BeginPopup("##learning")) return;
     if (ImGui::IsWindowAppearing()) context.requests.list_lessons = true;
     heading(look, "Lessons");

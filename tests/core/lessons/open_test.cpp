@@ -44,7 +44,8 @@ TEST_F(OpenTest, SaysWhatANameIs) {
     EXPECT_EQ(std::get<ExercisesName>(open_name("exercises:7")).seed, 7u);
     EXPECT_FALSE(std::get<OpenedLesson>(open_name(lesson)).step);
     EXPECT_EQ(std::get<OpenedLesson>(open_name(lesson + "#2")).step, 1u);
-    EXPECT_EQ(std::get<OpenedLesson>(open_name("1-normal-as-a-point#3")).step, 2u);
+    for (const char* name : {"1-normal-as-a-point#3", "1-normal-as-a-point/3", "#1-normal-as-a-point/3"})
+        EXPECT_EQ(std::get<OpenedLesson>(open_name(name)).step, 2u) << name;
     EXPECT_EQ(load_lesson(lesson).title, "L");
 }
 
@@ -56,6 +57,7 @@ TEST_F(OpenTest, SaysWhatIsWrong) {
     EXPECT_TRUE(message_of(bad + "#1").starts_with(bad + ": rule: expected one of")) << message_of(bad + "#1");
     EXPECT_NE(message_of("2-naive-rule#0").find("or lesson ("), std::string::npos) << "there is no lesson of that name";
     EXPECT_NE(message_of("1-normal-as-a-point#0").find("steps 1 to"), std::string::npos);
+    EXPECT_NE(message_of("1-normal-as-a-point/99").find("steps 1 to"), std::string::npos);
     EXPECT_NE(message_of(std::string("a\0.json", 7)).find("cannot hold a NUL"), std::string::npos);
     EXPECT_THROW(load_lesson(scene), InputError);
     EXPECT_THROW(load_lesson("split"), InputError);

@@ -85,5 +85,17 @@ TEST(SystemFonts, OrTheirLettersAreDrawn) {
     ImGui::DestroyContext();
 }
 
+TEST(ExtraLetters, AreInHeadings) {
+    ImGui::CreateContext();
+    ExtraLetters letters;
+    Fonts fonts = build_fonts(1, letters);
+    EXPECT_FALSE(fonts.title->FindGlyphNoFallback(U'\u2202')) << "the test needs another letter";
+    letters.want("\u2202f/\u2202y: \u00fcber", fonts.title);
+    fonts = build_fonts(1, letters);
+    for (const ImFont* font : {fonts.title, fonts.strong, fonts.body})
+        for (const ImWchar letter : {U'\u2202', U'\u00fc'}) EXPECT_TRUE(font->FindGlyphNoFallback(letter)) << letter;
+    ImGui::DestroyContext();
+}
+
 }  // namespace
 }  // namespace normalscope
