@@ -119,13 +119,13 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     advance(s.stack.player, scene);
     const bool help = s.help;
     draw_help(s.look, frame.rect, s.help);
-    const bool asks = s.asks();  // Escape is theirs, also where it has closed them; and an open menu's
+    // Escape is theirs, also where it has closed them; and an open menu's, and that of a field which it has left.
+    const bool asks = s.asks();
     s.dialog.draw(s.look, s.letters, requests);
     s.question.draw(s.look, requests);
-    if (!help && !asks && !s.menu_open && !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGuiKey_Escape, false) &&
-        !s.messages.dismiss()) {
+    if (!help && !asks && !s.menu_open && !s.item_active && !ImGui::IsAnyItemActive() &&
+        ImGui::IsKeyPressed(ImGuiKey_Escape, false) && !s.messages.dismiss())
         s.leave_one_thing(scene, requests);
-    }
     if (requests.reply && requests.reply->asked == Asked::LeavingLesson) {
         if (requests.reply->choice == 0) s.lecture.leave(scene);
         requests.reply.reset();
@@ -143,6 +143,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     s.lecture.draw_screen(s.look, ImGui::GetTime() - s.pointer_rested > kPointerShown);
     s.watch_the_clock();
     s.menu_open = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+    s.item_active = ImGui::IsAnyItemActive();
     return requests;
 }
 

@@ -55,7 +55,8 @@ struct InterfaceState {
     double pointer_rested = 0.0;  ///< since when, by ImGui::GetTime
     double popups_changed = -1e9, presented_until = -1e9;
     bool popup = false;
-    bool menu_open = false;  ///< or any list, at the end of the frame before
+    bool menu_open = false;    ///< or any list, at the end of the frame before
+    bool item_active = false;  ///< such as a field that is typed in, at the end of the frame before
 
     void watch_the_clock();
     /// A dialog is open, or will be in the next frame.

@@ -164,6 +164,35 @@ TEST_F(WritingLessonsTest, NoMoreIsTypedThanALessonHolds) {
     EXPECT_EQ(lesson().title, std::string(kLongestNote, 'a'));
 }
 
+TEST_F(WritingLessonsTest, EscapeLeavesAFieldAndKeepsItsText) {
+    host_.size.y = 1100;
+    start();
+    learn("Write a lesson");
+    const Item editor("##writing/##fields");
+    const auto write_and_leave = [&](const Item& field, std::string_view words) {
+        click(field);
+        type(words);
+        key(ImGuiKey_Escape);
+        EXPECT_FALSE(asked()) << words;
+    };
+    write_and_leave(editor / "##What is said", "A cube.");
+    EXPECT_EQ(lesson().steps[0].caption, "A cube.");
+    write_and_leave(editor / "##Equations, a line each", "a = b");
+    EXPECT_EQ(lesson().steps[0].equations, std::vector<std::string>{"a = b"});
+    click(editor / "Question and notes" / "##section");
+    write_and_leave(editor / 0 / "##answer", "up");
+    ASSERT_TRUE(lesson().steps[0].question);
+    EXPECT_EQ(lesson().steps[0].question->choices[0].text, "up");
+    write_and_leave(editor / "##What is said", " It is large.");  // what was there stays, too
+    EXPECT_NE(lesson().steps[0].caption.find("A cube."), std::string::npos);
+    undo();  // each is a step of its own
+    EXPECT_EQ(lesson().steps[0].caption, "A cube.");
+    undo();
+    EXPECT_FALSE(lesson().steps[0].question);
+    key(ImGuiKey_Escape);
+    EXPECT_TRUE(asked());
+}
+
 TEST_F(WritingLessonsTest, NothingIsLostUnasked) {
     start();
     learn("Write a lesson");

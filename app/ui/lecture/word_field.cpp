@@ -27,12 +27,18 @@ int keep_to_limit(ImGuiInputTextCallbackData* data) {
 Typed line_field(const WordField& field, std::string& text) {
     constexpr ImGuiInputTextFlags kFlags = ImGuiInputTextFlags_CallbackEdit;
     std::size_t most = field.most;
+    const std::string typed = text;
     ImGui::SetNextItemWidth(-1);
     const float height =
         static_cast<float>(field.lines) * ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().FramePadding.y;
     const bool changed = field.lines == 1
                              ? ImGui::InputTextWithHint(field.id, field.hint, &text, kFlags, keep_to_limit, &most)
                              : ImGui::InputTextMultiline(field.id, &text, {-1, height}, kFlags, keep_to_limit, &most);
+    // Dear ImGui's Escape takes back all that was typed since the field was entered.
+    if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGuiKey_Escape, false)) {
+        text = typed;
+        return {};
+    }
     return {changed, ImGui::IsItemActive()};
 }
 
