@@ -106,6 +106,7 @@ void Viewer::obey(const Reply& reply) {
 }
 
 void Viewer::keep(const std::vector<Work>& works) {
+    keep_due_.reset();
     std::vector<UnsavedWork> all = offered_;
     for (const Work& work : works) all.push_back({work.origin->file, work.scene, work.draft});
     if (all == kept_) return;

@@ -234,6 +234,44 @@ TEST_F(WritingLessonsTest, WhatAnEarlierSessionLeftIsOffered) {
     EXPECT_EQ(host_.kept, "");
 }
 
+TEST_F(WritingLessonsTest, WhatIsBeingTypedIsKeptBeforeTheFieldIsLeft) {
+    start();
+    learn("Write a lesson");
+    const Item editor("##writing/##fields");
+    click(editor / "##What is said");
+    type("A cube.");
+    EXPECT_EQ(host_.kept.find("A cube."), std::string::npos);
+    wait(3);
+    EXPECT_NE(host_.kept.find("A cube."), std::string::npos);
+    click(editor / "##What to look at");
+    type("Its edges.");
+    wait(3);
+    EXPECT_NE(host_.kept.find("Its edges."), std::string::npos);
+    const int shows = host_.shows;
+    wait(5);
+    EXPECT_EQ(host_.shows, shows) << "nothing is drawn for it";
+}
+
+TEST_F(WritingLessonsTest, EachFieldIsAStepToUndo) {
+    start();
+    learn("Write a lesson");
+    const Item editor("##writing/##fields");
+    for (const char* field : {"##Title", "##What is said", "##What to look at"}) {
+        click(editor / field);  // from one to the other, without leaving them
+        type("abc");
+    }
+    click(ground());
+    EXPECT_EQ(lesson().steps[0].look_at, "abc");
+    undo();
+    EXPECT_EQ(lesson().steps[0].look_at, "");
+    EXPECT_EQ(lesson().steps[0].caption, "abc");
+    undo();
+    EXPECT_EQ(lesson().steps[0].caption, "");
+    EXPECT_EQ(lesson().title.find("abc"), lesson().title.size() - 3);
+    undo();
+    EXPECT_EQ(lesson().title, "My lesson");
+}
+
 TEST_F(WritingLessonsTest, NoSceneIsWrittenOver) {
     const auto file = write("scene.json", R"({"normalscope": 1})");
     start();

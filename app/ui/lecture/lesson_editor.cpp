@@ -50,7 +50,9 @@ void LessonEditor::words(const EditedLesson& edited, Requests& requests) {
     typing_ = false;
     const auto changed = [&](const Typed& typed, auto&& how) {
         typing_ |= typed.typing;
-        if (typed.changed) change(draft, requests, how);
+        if (!typed.changed) return;
+        if (std::exchange(typed_in_, typed.field) != typed.field) requests.step = true;  // of the field before
+        change(draft, requests, how);
     };
     const auto step = [&](Lesson& lesson) -> LessonStep& { return lesson.steps.at(draft.step); };
     name_of_field(look, "Title");

@@ -39,6 +39,7 @@ private:
     float width_ = 0.0f;                       ///< of their lines
     float fields_ = 1000.0f, buttons_ = 0.0f;  ///< how high they were, of the window
     bool typing_ = false;
+    ImGuiID typed_in_ = 0;  ///< the field that was changed last
     std::string title_, caption_, look_at_, equations_;
     QuestionFields question_;
 };

@@ -43,7 +43,8 @@ std::size_t QuestionFields::right_row() const {
 Typed QuestionFields::draw_answer(const Look& look, std::size_t i) {
     Typed typed;
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::RadioButton("##right", right_row() == i)) right_ = i, typed.changed = true;
+    if (ImGui::RadioButton("##right", right_row() == i))
+        right_ = i, typed = {.changed = true, .field = ImGui::GetItemID()};
     tip(look, "The right one.");
     ImGui::SameLine(0, look.px(kGap));
     ImGui::BeginGroup();

@@ -39,7 +39,7 @@ Typed line_field(const WordField& field, std::string& text) {
         text = typed;
         return {};
     }
-    return {changed, ImGui::IsItemActive()};
+    return {changed, ImGui::IsItemActive(), ImGui::GetItemID()};
 }
 
 Typed word_field(const WordField& field, std::string& text) {

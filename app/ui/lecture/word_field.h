@@ -2,6 +2,8 @@
 
 #include "ui/kit/style.h"
 
+#include <imgui.h>
+
 #include <cstddef>
 #include <string>
 
@@ -18,7 +20,11 @@ struct WordField {
 struct Typed {
     bool changed = false;  ///< just now
     bool typing = false;   ///< somebody is at it
-    void operator|=(const Typed& more) { changed |= more.changed, typing |= more.typing; }
+    ImGuiID field = 0;     ///< the one that has been changed
+    void operator|=(const Typed& more) {
+        if (more.changed) field = more.field;
+        changed |= more.changed, typing |= more.typing;
+    }
 };
 /// Words that are one paragraph, whose lines break at the field's edge as long as nobody types.
 Typed word_field(const WordField& field, std::string& text);
