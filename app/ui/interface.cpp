@@ -225,6 +225,7 @@ bool Interface::keys_are_free() const {
     const ImGuiIO& io = ImGui::GetIO();
     return !io.WantTextInput && !io.NavVisible && !ImGui::IsAnyItemActive() && !state_->asks() && !state_->menu_open;
 }
+bool Interface::tab_is_free() const { return !state_->edits() || !state_->editor.has_keyboard(); }
 
 void Interface::edit_formula(Scene& scene) {
     if (!std::holds_alternative<FormulaSurface>(scene.surface)) scene.surface = state_->panel.formula.last;

@@ -108,6 +108,8 @@ public:
     const Lecture& lecture() const;
     /// Keys mean something else while somebody writes, or moves about the panel by keyboard.
     bool keys_are_free() const;
+    /// Tab goes from field to field where a lesson is written.
+    bool tab_is_free() const;
 
     void toggle_help();
     void toggle_panel();

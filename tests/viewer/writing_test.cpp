@@ -252,6 +252,37 @@ TEST_F(WritingLessonsTest, WhatIsBeingTypedIsKeptBeforeTheFieldIsLeft) {
     EXPECT_EQ(host_.shows, shows) << "nothing is drawn for it";
 }
 
+TEST_F(WritingLessonsTest, TabGoesFromFieldToField) {
+    start();  // so low a window that not all fields are seen
+    learn("Write a lesson");
+    const Item editor("##writing/##fields");
+    click(editor / "##Equations, a line each");
+    key(ImGuiKey_Tab);
+    key(ImGuiKey_Space);  // unfolds the question
+    click(editor / "##Title");
+    const Scene before = scene();
+    for (const char* words :
+         {"Mine", "Said.", "Look.", "a = b", "Where to?", "up", "No.", "down", "Yes.", "", "", "Ask."}) {
+        keys({ImGuiMod_Ctrl | ImGuiKey_A, ImGuiKey_Delete});
+        type(words);
+        key(ImGuiKey_Tab);
+    }
+    key(ImGuiKey_Tab);  // on, to the buttons
+    EXPECT_TRUE(viewer().interface().panel_shown());
+    EXPECT_EQ(scene(), before) << "nothing was taken for a shortcut";
+    const LessonStep& written = lesson().steps[0];
+    EXPECT_EQ(lesson().title, "Mine");
+    EXPECT_EQ(written.caption, "Said.");
+    EXPECT_EQ(written.look_at, "Look.");
+    EXPECT_EQ(written.equations, std::vector<std::string>{"a = b"});
+    const Question asked{"Where to?", {{"up", true, "No."}, {"down", false, "Yes."}}};
+    EXPECT_EQ(written.question, asked);
+    EXPECT_EQ(written.notes, "Ask.");
+    click(ground());
+    key(ImGuiKey_Tab);
+    EXPECT_FALSE(viewer().interface().panel_shown());
+}
+
 TEST_F(WritingLessonsTest, EachFieldIsAStepToUndo) {
     start();
     learn("Write a lesson");

@@ -68,8 +68,10 @@ void LessonEditor::words(const EditedLesson& edited, Requests& requests) {
     changed(
         line_field({.id = "##Equations, a line each", .lines = 3, .most = kMostEquations * kLongestNote}, equations_),
         [&](Lesson& l) { step(l).equations = lines_of(equations_); });
-    if (section(look, "Question and notes", false))
-        changed(question_.draw(look), [&](Lesson& l) { question_.write_to(step(l)); });
+    ImGui::PushTabStop(!unfolded_);  // Tab goes from field to field, but unfolds what is folded
+    unfolded_ = section(look, "Question and notes", false);
+    ImGui::PopTabStop();
+    if (unfolded_) changed(question_.draw(look), [&](Lesson& l) { question_.write_to(step(l)); });
 }
 
 void LessonEditor::steps(const EditedLesson& edited, Requests& requests) const {
@@ -151,6 +153,7 @@ void LessonEditor::draw(const EditedLesson& edited, Requests& requests) {
     steps(edited, requests);
     ending(edited, requests);
     buttons_ = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y + ImGui::GetStyle().WindowPadding.y - fields;
+    has_keyboard_ = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
     if (requests.edit && typing_) shown_ = *requests.edit;  // what is typed is not read back while it is
     ImGui::End();
     ImGui::PopStyleVar(3);

@@ -43,8 +43,12 @@ std::size_t QuestionFields::right_row() const {
 Typed QuestionFields::draw_answer(const Look& look, std::size_t i) {
     Typed typed;
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::RadioButton("##right", right_row() == i))
-        right_ = i, typed = {.changed = true, .field = ImGui::GetItemID()};
+    ImGui::PushTabStop(false);  // Tab goes from field to field
+    if (ImGui::RadioButton("##right", right_row() == i)) {
+        right_ = i;
+        typed = {.changed = true, .field = ImGui::GetItemID()};
+    }
+    ImGui::PopTabStop();
     tip(look, "The right one.");
     ImGui::SameLine(0, look.px(kGap));
     ImGui::BeginGroup();
