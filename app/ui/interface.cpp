@@ -133,8 +133,9 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     if (scene.stack != before) undo_overflow(scene, before, s.messages);
     ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab,
                           s.look.still ? ImVec4{} : ImGui::GetStyleColorVec4(ImGuiCol_ScrollbarGrab));
-    s.derivation.draw(s.look, scene, frame, derivation_shown() && !s.lecture.exercises.running(),
-                      s.look.px(kTabsHeight));
+    const DerivationRoom place{s.look.px(kTabsHeight), s.shows_all_lines()};
+    const bool derives = derivation_shown() && !s.lecture.exercises.running();
+    s.derivation.draw(s.look, scene, frame, derives ? std::optional(place) : std::nullopt);
     ImGui::PopStyleColor();
     s.letters.want(s.messages.text(), s.look.fonts.body);
     s.letters.want(status.file, s.look.fonts.body);

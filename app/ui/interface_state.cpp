@@ -76,7 +76,7 @@ std::vector<SideTab> InterfaceState::tabs() {
 Arrangement InterfaceState::arrangement(glm::ivec2 framebuffer) const {
     std::optional<float> tab;
     if (side.open)
-        tab = side.open == kDerivation ? kDerivationWidth : kSideWidth;
+        tab = side.open == kDerivation ? derivation.width() : kSideWidth;
     else if (edits())
         tab = kEditorWidth;
     return arrange(look, framebuffer,

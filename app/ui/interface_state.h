@@ -46,6 +46,8 @@ struct InterfaceState {
     LessonEditor editor;
     bool editor_shown = false, writing = false;
     bool edits() const { return editor_shown && writing && lecture.player.running() && !lecture.presenting; }
+    /// A remote control cannot scroll; a picture by itself is made as high as it must be.
+    bool shows_all_lines() const { return lecture.presenting && !look.still; }
     mutable Lecture lecture;  // which remembers what it has measured
     bool captions = false;    ///< their fonts are in the atlas
     bool panel_shown = true, help = false;
