@@ -162,6 +162,40 @@ TEST_F(WritingLessonsTest, NoMoreIsTypedThanALessonHolds) {
     learn("Write a lesson");
     write_into(Item("##writing/##fields") / "##Title", std::string(1000, 'a'));
     EXPECT_EQ(lesson().title, std::string(kLongestNote, 'a'));
+    write_into(Item("##writing/##fields") / "##Equations, a line each", "a\nb\nc\nd");
+    EXPECT_EQ(lesson().steps[0].equations, (std::vector<std::string>{"a", "b", "c"}));
+}
+
+TEST_F(WritingLessonsTest, LinesBreakWhileTheyAreTyped) {
+    start();
+    learn("Write a lesson");
+    const Item field = Item("##writing/##fields") / "##What is said";
+    const std::string sentence = "A normal is perpendicular to every tangent of the surface, wherever that is curved. ";
+    std::string said;
+    click(field);
+    const auto shown = [] { return std::string(ImGui::GetCurrentContext()->InputTextState.TextA.Data); };
+    const auto expect_in_the_field = [&] {
+        EXPECT_EQ(lesson().steps[0].caption, said);
+        for (std::size_t begin = 0, end; begin < shown().size(); begin = end + 1) {
+            end = std::min(shown().find('\n', begin), shown().size());
+            EXPECT_LE(ImGui::CalcTextSize(shown().substr(begin, end - begin).c_str()).x, 320.0f) << shown();
+        }
+    };
+    for (const char letter : sentence + sentence) {
+        type(std::string_view(&letter, 1));
+        said += letter;
+        expect_in_the_field();
+    }
+    key(ImGuiMod_Ctrl | ImGuiKey_Home);
+    type("Look: ");
+    said = "Look: " + said;
+    expect_in_the_field();
+    for (int i = 0; i < 60; ++i) undo();  // the field's own
+    EXPECT_EQ(lesson().steps[0].caption, said.substr(6, said.size() - 60));
+    for (int i = 0; i < 60; ++i) key(ImGuiMod_Ctrl | ImGuiKey_Y);
+    expect_in_the_field();
+    answer_dialog(ImGuiKey_S, own());
+    EXPECT_EQ(load_lesson(own()).steps[0].caption, said);
 }
 
 TEST_F(WritingLessonsTest, EscapeLeavesAFieldAndKeepsItsText) {

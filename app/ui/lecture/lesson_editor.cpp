@@ -13,12 +13,17 @@ namespace {
 
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
-    for (std::size_t begin = 0; begin <= text.size() && lines.size() < kMostEquations;) {
+    for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         if (end > begin) lines.push_back(text.substr(begin, end - begin));
         begin = end + 1;
     }
     return lines;
+}
+
+std::vector<std::string> as_many_as_fit(std::vector<std::string> equations) {
+    if (equations.size() > kMostEquations) equations.resize(kMostEquations);
+    return equations;
 }
 
 template <class Change>
@@ -56,18 +61,20 @@ void LessonEditor::words(const EditedLesson& edited, Requests& requests) {
     };
     const auto step = [&](Lesson& lesson) -> LessonStep& { return lesson.steps.at(draft.step); };
     name_of_field(look, "Title");
-    changed(word_field({.id = "##Title", .most = kLongestNote}, title_),
+    changed(word_field(look, {.id = "##Title", .most = kLongestNote}, title_),
             [&](Lesson& l) { l.title = title_.empty() ? "My lesson" : title_; });
     name_of_field(look, "What is said");
-    changed(word_field({.id = "##What is said", .lines = 4, .most = kLongestCaption}, caption_),
+    changed(word_field(look, {.id = "##What is said", .lines = 4, .most = kLongestCaption}, caption_),
             [&](Lesson& l) { step(l).caption = in_a_row(caption_); });
     name_of_field(look, "What to look at");
-    changed(word_field({.id = "##What to look at", .lines = 2, .most = kLongestNote}, look_at_),
+    changed(word_field(look, {.id = "##What to look at", .lines = 2, .most = kLongestNote}, look_at_),
             [&](Lesson& l) { step(l).look_at = in_a_row(look_at_); });
     name_of_field(look, "Equations, a line each");
-    changed(
-        line_field({.id = "##Equations, a line each", .lines = 3, .most = kMostEquations * kLongestNote}, equations_),
-        [&](Lesson& l) { step(l).equations = lines_of(equations_); });
+    changed(line_field(look, {.id = "##Equations, a line each", .lines = 3, .most = kMostEquations * kLongestNote},
+                       equations_),
+            [&](Lesson& l) { step(l).equations = as_many_as_fit(lines_of(equations_)); });
+    if (lines_of(equations_).size() > kMostEquations)
+        say_of_field(look, "Only the first " + std::to_string(kMostEquations) + " lines are shown and saved.");
     ImGui::PushTabStop(!unfolded_);  // Tab goes from field to field, but unfolds what is folded
     unfolded_ = section(look, "Question and notes", false);
     ImGui::PopTabStop();
