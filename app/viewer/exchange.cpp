@@ -108,7 +108,8 @@ void Viewer::obey(const Reply& reply) {
 void Viewer::keep(const std::vector<Work>& works) {
     keep_due_.reset();
     std::vector<UnsavedWork> all = offered_;
-    for (const Work& work : works) all.push_back({work.origin->file, work.scene, work.draft});
+    for (const Work& work : works)
+        all.push_back({work.origin->file, work.draft.lesson ? work.scene : given(work), work.draft});
     if (all == kept_) return;
     host_.keep(all.empty() ? "" : unsaved_text(all));
     kept_ = std::move(all);
