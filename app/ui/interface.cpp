@@ -176,6 +176,11 @@ void Interface::take_back(std::string_view line) {
 }
 void Interface::take_back_note(std::string_view line) { state_->messages.take_back(line); }
 void Interface::show_note(std::string_view line) { state_->messages.show_note(line); }
+void Interface::show_done(std::string_view line) {
+    dismiss_error();
+    show_note(line);
+}
+void Interface::dismiss_error() { state_->messages.dismiss(); }
 std::string_view Interface::message() const { return state_->messages.text(); }
 double Interface::redraw_after() const { return std::min(state_->wake, state_->messages.redraw_after()); }
 

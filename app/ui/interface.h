@@ -53,9 +53,12 @@ public:
     void show_error(std::string_view line);
     /// Takes such a line away: what it said is so no more.
     void take_back(std::string_view line);
-    /// One line that may go by itself, such as "Saved …".
+    /// One line that may go by itself, such as "Still reading a file".
     void show_note(std::string_view line);
-    /// Takes such a line away.
+    /// The same of what has been done, such as "Saved …": an error of an earlier try goes.
+    void show_done(std::string_view line);
+    void dismiss_error();
+    /// Takes such a note away.
     void take_back_note(std::string_view line);
     /// The line that is shown now; empty if none.
     std::string_view message() const;

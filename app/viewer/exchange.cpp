@@ -192,6 +192,7 @@ void Viewer::note_file(const std::filesystem::path& file) {
 }
 
 void Viewer::take(Opened opened) {
+    gui_.interface.dismiss_error();  // of an earlier try
     commit();
     note_file(opened.lesson ? opened.lesson->name : opened.file);
     const std::shared_ptr<Origin> left = document_.origin();
@@ -232,7 +233,7 @@ void Viewer::save_scene(const std::filesystem::path& file) {
     document_.saved_as(file.string());
     note_file(file);
     host_.saved(file);
-    gui_.interface.show_note("Saved " + document_.file());
+    gui_.interface.show_done("Saved " + document_.file());
     if (std::exchange(closes_when_saved_, false)) close();
 }
 
@@ -243,14 +244,14 @@ void Viewer::save_picture(const std::filesystem::path& file) {
                                          {.rect = rect, .pixel_scale = scale(), .handles = false});
         write_file(file, svg_text(shown_scene(), vectors, scale(), Ground::Scene));
         host_.saved(file);
-        return gui_.interface.show_note("Saved " + file.string());
+        return gui_.interface.show_done("Saved " + file.string());
     }
     const Frame frame = frame_now(Marks::AsSaved);
     gui_.layout(shown_scene().theme, scale(), [&] { gui_.interface.draw_words(frame); });
     drawn_.reset();
     write_png(file, cropped(host_.image_of(frame), frame.rect.origin, frame.rect.size));
     host_.saved(file);
-    gui_.interface.show_note("Saved " + file.string());
+    gui_.interface.show_done("Saved " + file.string());
     wake();
 }
 
