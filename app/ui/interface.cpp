@@ -90,6 +90,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     const glm::ivec2 framebuffer(io.DisplaySize.x, io.DisplaySize.y);
     s.lecture.draw(s.look, scene, s.arrangement(framebuffer).picture, frame.rect);
     if (const auto lesson = s.lecture.wanted_lesson()) requests.open = lesson;
+    if (s.lecture.wants_to_end()) s.leave_lecture(scene, status);
     s.dialog.set_scene_file(status.has_file ? status.file : "");
     const Arrangement room = s.arrangement(framebuffer);
     if (room.drawer && drawer_handle(s.look, frame.rect, s.drawer_open)) s.drawer_open = !s.drawer_open;
@@ -125,7 +126,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     s.question.draw(s.look, requests);
     if (!help && !asks && !s.menu_open && !s.item_active && !ImGui::IsAnyItemActive() &&
         ImGui::IsKeyPressed(ImGuiKey_Escape, false) && !s.messages.dismiss())
-        s.leave_one_thing(scene, requests);
+        s.leave_one_thing(scene, status, requests);
     if (requests.reply && requests.reply->asked == Asked::LeavingLesson) {
         if (requests.reply->choice == 0) s.lecture.leave(scene);
         requests.reply.reset();

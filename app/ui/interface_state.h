@@ -64,7 +64,10 @@ struct InterfaceState {
     /// A dialog is open, or will be in the next frame.
     bool asks() const { return dialog.is_open() || question.is_open(); }
     /// Presenting first; a lesson only when asked again, and later: a key that bounces ends no lecture.
-    void leave_one_thing(Scene& scene, Requests& requests);
+    void leave_one_thing(Scene& scene, const Status& status, Requests& requests);
+    /// Asks first where something would be lost.
+    void leave_lecture(Scene& scene, const Status& status);
+    void ask_to_leave_lesson(const Status& status);
     std::vector<SideTab> tabs();
     /// Shown or not, in a window of this size.
     bool& panel_wanted(glm::ivec2 framebuffer) { return is_drawer(look, framebuffer) ? drawer_open : panel_shown; }

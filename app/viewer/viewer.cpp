@@ -217,10 +217,17 @@ Requests Viewer::lay_out() {
     const bool was_exercising = exercising(), was_in_lesson = in_lesson();
     const std::optional<ErrorStatistics>& errors = errors_.get(document_.scene, frame_->surface);
     gui_.layout(shown_scene().theme, scale(), [&] {
-        requests =
-            gui_.interface.draw(document_.scene, *frame_,
-                                {document_.can_undo(), document_.can_redo(), errors, document_.file(),
-                                 document_.has_file(), true, in_lesson(), document_.draft, document_.as_named()});
+        requests = gui_.interface.draw(document_.scene, *frame_,
+                                       {.can_undo = document_.can_undo(),
+                                        .can_redo = document_.can_redo(),
+                                        .errors = errors,
+                                        .file = document_.file(),
+                                        .has_file = document_.has_file(),
+                                        .by_hand = true,
+                                        .in_lesson = in_lesson(),
+                                        .draft = document_.draft,
+                                        .unsaved_lesson = document_.unsaved_lesson(),
+                                        .as_named = document_.as_named()});
     });
     laid_out_at_ = host_.now();
     if (was_exercising && !exercising()) document_.set_origin(origin_before_exercises_);

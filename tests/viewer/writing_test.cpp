@@ -247,6 +247,25 @@ TEST_F(WritingLessonsTest, NothingIsLostUnasked) {
     EXPECT_EQ(load_lesson(own()).steps.size(), 2u);
 }
 
+TEST_F(WritingLessonsTest, AnUnsavedLessonIsAskedAboutAlsoByItsCross) {
+    start();
+    learn("Write a lesson");
+    press_in_editor("Add this view as a step");
+    click(Item("##captions") / "##leave");
+    ASSERT_TRUE(asked());
+    key(ImGuiKey_Escape);
+    EXPECT_TRUE(lecture().player.running());
+    click(Item("##captions") / "##leave");
+    key(ImGuiKey_Enter);
+    EXPECT_FALSE(lecture().player.running());
+    undo();
+    EXPECT_EQ(lesson().steps.size(), 2u) << "an undo leads back to it";
+    answer_dialog(ImGuiKey_S, own());
+    click(Item("##captions") / "##leave");
+    EXPECT_FALSE(asked());
+    EXPECT_FALSE(lecture().player.running());
+}
+
 TEST_F(WritingLessonsTest, WhatAnEarlierSessionLeftIsOffered) {
     start();
     learn("Write a lesson");
