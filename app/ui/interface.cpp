@@ -90,6 +90,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     const glm::ivec2 framebuffer(io.DisplaySize.x, io.DisplaySize.y);
     s.lecture.draw(s.look, scene, s.arrangement(framebuffer).picture, frame.rect);
     if (const auto lesson = s.lecture.wanted_lesson()) requests.open = lesson;
+    if (s.lecture.wants_to_end()) s.leave_lecture(scene, status);
     s.dialog.set_scene_file(status.has_file ? status.file : "");
     const Arrangement room = s.arrangement(framebuffer);
     if (room.drawer && drawer_handle(s.look, frame.rect, s.drawer_open)) s.drawer_open = !s.drawer_open;
@@ -119,13 +120,13 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     advance(s.stack.player, scene);
     const bool help = s.help;
     draw_help(s.look, frame.rect, s.help);
-    const bool asks = s.asks();  // Escape is theirs, also where it has closed them; and an open menu's
+    // Escape is theirs, also where it has closed them; and an open menu's, and that of a field which it has left.
+    const bool asks = s.asks();
     s.dialog.draw(s.look, s.letters, requests);
     s.question.draw(s.look, requests);
-    if (!help && !asks && !s.menu_open && !ImGui::IsAnyItemActive() && ImGui::IsKeyPressed(ImGuiKey_Escape, false) &&
-        !s.messages.dismiss()) {
-        s.leave_one_thing(scene, requests);
-    }
+    if (!help && !asks && !s.menu_open && !s.item_active && !ImGui::IsAnyItemActive() &&
+        ImGui::IsKeyPressed(ImGuiKey_Escape, false) && !s.messages.dismiss())
+        s.leave_one_thing(scene, status, requests);
     if (requests.reply && requests.reply->asked == Asked::LeavingLesson) {
         if (requests.reply->choice == 0) s.lecture.leave(scene);
         requests.reply.reset();
@@ -133,8 +134,9 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     if (scene.stack != before) undo_overflow(scene, before, s.messages);
     ImGui::PushStyleColor(ImGuiCol_ScrollbarGrab,
                           s.look.still ? ImVec4{} : ImGui::GetStyleColorVec4(ImGuiCol_ScrollbarGrab));
-    s.derivation.draw(s.look, scene, frame, derivation_shown() && !s.lecture.exercises.running(),
-                      s.look.px(kTabsHeight));
+    const DerivationRoom place{s.look.px(kTabsHeight), s.shows_all_lines()};
+    const bool derives = derivation_shown() && !s.lecture.exercises.running();
+    s.derivation.draw(s.look, scene, frame, derives ? std::optional(place) : std::nullopt);
     ImGui::PopStyleColor();
     s.letters.want(s.messages.text(), s.look.fonts.body);
     s.letters.want(status.file, s.look.fonts.body);
@@ -143,6 +145,7 @@ Requests Interface::draw(Scene& scene, const Frame& frame, const Status& status)
     s.lecture.draw_screen(s.look, ImGui::GetTime() - s.pointer_rested > kPointerShown);
     s.watch_the_clock();
     s.menu_open = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+    s.item_active = ImGui::IsAnyItemActive();
     return requests;
 }
 
@@ -172,9 +175,13 @@ void Interface::show_error(std::string_view line) { state_->messages.show_error(
 void Interface::take_back(std::string_view line) {
     if (state_->messages.text() == line) state_->messages.dismiss();
 }
-void Interface::take_back_error() { (void)state_->messages.dismiss(); }
 void Interface::take_back_note(std::string_view line) { state_->messages.take_back(line); }
 void Interface::show_note(std::string_view line) { state_->messages.show_note(line); }
+void Interface::show_done(std::string_view line) {
+    dismiss_error();
+    show_note(line);
+}
+void Interface::dismiss_error() { state_->messages.dismiss(); }
 std::string_view Interface::message() const { return state_->messages.text(); }
 double Interface::redraw_after() const { return std::min(state_->wake, state_->messages.redraw_after()); }
 
@@ -225,6 +232,7 @@ bool Interface::keys_are_free() const {
     const ImGuiIO& io = ImGui::GetIO();
     return !io.WantTextInput && !io.NavVisible && !ImGui::IsAnyItemActive() && !state_->asks() && !state_->menu_open;
 }
+bool Interface::tab_is_free() const { return !state_->edits() || !state_->editor.has_keyboard(); }
 
 void Interface::edit_formula(Scene& scene) {
     if (!std::holds_alternative<FormulaSurface>(scene.surface)) scene.surface = state_->panel.formula.last;

@@ -53,11 +53,13 @@ public:
     void show_error(std::string_view line);
     /// Takes such a line away: what it said is so no more.
     void take_back(std::string_view line);
-    /// The same, whichever it is.
-    void take_back_error();
-    /// One line that may go by itself, such as "Saved …".
+    /// One line that may go by itself, such as "Still reading a file".
     void show_note(std::string_view line);
-    /// Takes such a line away.
+    /// The same of what has been done, such as "Saved …": an error of an earlier try goes.
+    void show_done(std::string_view line);
+    /// Whichever there is.
+    void dismiss_error();
+    /// Takes such a note away.
     void take_back_note(std::string_view line);
     /// The line that is shown now; empty if none.
     std::string_view message() const;
@@ -110,6 +112,8 @@ public:
     const Lecture& lecture() const;
     /// Keys mean something else while somebody writes, or moves about the panel by keyboard.
     bool keys_are_free() const;
+    /// Tab goes from field to field where a lesson is written.
+    bool tab_is_free() const;
 
     void toggle_help();
     void toggle_panel();

@@ -38,20 +38,33 @@ void InterfaceState::watch_the_clock() {
     if (panel.gallery.previews.busy()) wake = std::min(wake, 0.1);
 }
 
-void InterfaceState::leave_one_thing(Scene& scene, Requests& requests) {
+void InterfaceState::ask_to_leave_lesson(const Status& status) {
+    question.ask(Asked::LeavingLesson, "Leave the lesson?",
+                 status.unsaved_lesson ? "It is not saved; Ctrl+Z brings it back."
+                                       : "The scene stays open, for you to play with.",
+                 {"Leave", "Stay"});
+}
+
+void InterfaceState::leave_lecture(Scene& scene, const Status& status) {
+    if (lecture.exercises.running() && lecture.exercises.has_score())
+        question.ask(Asked::LeavingLesson, "Leave the exercises?",
+                     "You have " + lecture.exercises.score() + ", which will be lost.", {"Leave", "Stay"});
+    else if (lecture.player.running() && status.unsaved_lesson)
+        ask_to_leave_lesson(status);
+    else
+        lecture.leave(scene);
+}
+
+void InterfaceState::leave_one_thing(Scene& scene, const Status& status, Requests& requests) {
     if (lecture.presenting) {
         requests.end_presenting = true;
         presented_until = ImGui::GetTime();
     } else if (side.open && !lecture.exercises.running()) {
         side.open.reset();
-    } else if (lecture.exercises.running() && lecture.exercises.has_score()) {
-        question.ask(Asked::LeavingLesson, "Leave the exercises?",
-                     "You have " + lecture.exercises.score() + ", which will be lost.", {"Leave", "Stay"});
     } else if (!lecture.player.running()) {
-        lecture.leave(scene);
+        leave_lecture(scene, status);
     } else if (ImGui::GetTime() - presented_until > kLater) {
-        question.ask(Asked::LeavingLesson, "Leave the lesson?", "The scene stays open, for you to play with.",
-                     {"Leave", "Stay"});
+        ask_to_leave_lesson(status);
     }
 }
 
@@ -76,7 +89,7 @@ std::vector<SideTab> InterfaceState::tabs() {
 Arrangement InterfaceState::arrangement(glm::ivec2 framebuffer) const {
     std::optional<float> tab;
     if (side.open)
-        tab = side.open == kDerivation ? kDerivationWidth : kSideWidth;
+        tab = side.open == kDerivation ? derivation.width() : kSideWidth;
     else if (edits())
         tab = kEditorWidth;
     return arrange(look, framebuffer,

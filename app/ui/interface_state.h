@@ -46,6 +46,8 @@ struct InterfaceState {
     LessonEditor editor;
     bool editor_shown = false, writing = false;
     bool edits() const { return editor_shown && writing && lecture.player.running() && !lecture.presenting; }
+    /// A remote control cannot scroll; a picture by itself is made as high as it must be.
+    bool shows_all_lines() const { return lecture.presenting && !look.still; }
     mutable Lecture lecture;  // which remembers what it has measured
     bool captions = false;    ///< their fonts are in the atlas
     bool panel_shown = true, help = false;
@@ -55,13 +57,17 @@ struct InterfaceState {
     double pointer_rested = 0.0;  ///< since when, by ImGui::GetTime
     double popups_changed = -1e9, presented_until = -1e9;
     bool popup = false;
-    bool menu_open = false;  ///< or any list, at the end of the frame before
+    bool menu_open = false;    ///< or any list, at the end of the frame before
+    bool item_active = false;  ///< such as a field that is typed in, at the end of the frame before
 
     void watch_the_clock();
     /// A dialog is open, or will be in the next frame.
     bool asks() const { return dialog.is_open() || question.is_open(); }
     /// Presenting first; a lesson only when asked again, and later: a key that bounces ends no lecture.
-    void leave_one_thing(Scene& scene, Requests& requests);
+    void leave_one_thing(Scene& scene, const Status& status, Requests& requests);
+    /// Asks first where something would be lost.
+    void leave_lecture(Scene& scene, const Status& status);
+    void ask_to_leave_lesson(const Status& status);
     std::vector<SideTab> tabs();
     /// Shown or not, in a window of this size.
     bool& panel_wanted(glm::ivec2 framebuffer) { return is_drawer(look, framebuffer) ? drawer_open : panel_shown; }

@@ -31,22 +31,22 @@ std::shared_ptr<Origin> origin_of(const Scene& scene, const std::string& file) {
 
 }  // namespace
 
-Document::Document(Scene first, const std::string& file)
-    : scene(std::move(first)), origin_(origin_of(scene, file)), history_({scene, origin_}) {}
-
-bool Document::unsaved() const { return is_unsaved({scene, origin_, draft}); }
-
-bool Document::as_named() const {
-    const Scene& named = origin_->saved;
+bool as_named(const Work& work) {
+    const Scene &scene = work.scene, &named = work.origin->saved;
     return scene.about != named.about ||
            (scene.surface == named.surface && scene.stack == named.stack && scene.mistake == named.mistake);
 }
 
-Scene Document::given() const {
-    Scene given = scene;
-    if (!as_named()) given.about.clear();
+Scene given(const Work& work) {
+    Scene given = work.scene;
+    if (!as_named(work)) given.about.clear();
     return given;
 }
+
+Document::Document(Scene first, const std::string& file)
+    : scene(std::move(first)), origin_(origin_of(scene, file)), history_({scene, origin_}) {}
+
+bool Document::unsaved() const { return is_unsaved({scene, origin_, draft}); }
 
 bool Document::as_opened() const {
     Scene now = scene;

@@ -31,6 +31,11 @@ struct Work {
     friend bool operator==(const Work&, const Work&) = default;
 };
 
+/// Surface and map are those of which the scene's `about` speaks.
+bool as_named(const Work& work);
+/// The scene for others, and for another session: without an `about` that speaks of something else.
+Scene given(const Work& work);
+
 /// The scene, its name, and what can be undone: an undo brings back both.
 class Document {
 public:
@@ -41,10 +46,8 @@ public:
 
     const std::string& file() const { return origin_->file; }
     bool has_file() const { return origin_->is_the_users; }
-    /// Surface and map are those of which the scene's `about` speaks.
-    bool as_named() const;
-    /// The scene for others: without an `about` that speaks of something else.
-    Scene given() const;
+    bool as_named() const { return normalscope::as_named({scene, origin_, draft}); }
+    Scene given() const { return normalscope::given({scene, origin_, draft}); }
     /// There is work that no file holds. How one looks at a scene is none where it has no file of its own.
     bool unsaved() const;
     /// It is what its file holds, and seen as it was there; but for the room's light.

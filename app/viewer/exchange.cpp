@@ -123,8 +123,10 @@ void Viewer::obey(const Reply& reply) {
 }
 
 void Viewer::keep(const std::vector<Work>& works) {
+    keep_due_.reset();
     std::vector<UnsavedWork> all = offered_;
-    for (const Work& work : works) all.push_back({work.origin->file, work.scene, work.draft});
+    for (const Work& work : works)
+        all.push_back({work.origin->file, work.draft.lesson ? work.scene : given(work), work.draft});
     if (all == kept_) return;
     host_.keep(all.empty() ? "" : unsaved_text(all));
     kept_ = std::move(all);
@@ -207,8 +209,8 @@ void Viewer::note_file(const std::filesystem::path& file) {
 }
 
 void Viewer::take(Opened opened) {
+    gui_.interface.dismiss_error();  // of an earlier try, which would cover this
     commit();
-    gui_.interface.take_back_error();  // why something else could not be opened, which would cover this
     note_file(opened.lesson ? opened.lesson->name : opened.file);
     const std::shared_ptr<Origin> left = document_.origin();
     if (opened.exercises) {
@@ -248,7 +250,7 @@ void Viewer::save_scene(const std::filesystem::path& file) {
     document_.saved_as(file.string());
     note_file(file);
     host_.saved(file);
-    gui_.interface.show_note("Saved " + document_.file());
+    gui_.interface.show_done("Saved " + document_.file());
     if (std::exchange(closes_when_saved_, false)) close();
 }
 
@@ -259,14 +261,14 @@ void Viewer::save_picture(const std::filesystem::path& file) {
                                          {.rect = rect, .pixel_scale = scale(), .handles = false});
         write_file(file, svg_text(shown_scene(), vectors, scale(), Ground::Scene));
         host_.saved(file);
-        return gui_.interface.show_note("Saved " + file.string());
+        return gui_.interface.show_done("Saved " + file.string());
     }
     const Frame frame = frame_now(Marks::AsSaved);
     gui_.layout(shown_scene().theme, scale(), [&] { gui_.interface.draw_words(frame); });
     drawn_.reset();
     write_png(file, cropped(host_.image_of(frame), frame.rect.origin, frame.rect.size));
     host_.saved(file);
-    gui_.interface.show_note("Saved " + file.string());
+    gui_.interface.show_done("Saved " + file.string());
     wake();
 }
 

@@ -95,7 +95,7 @@ void Viewer::save_lesson(const std::filesystem::path& file) {
     note_file(file);
     host_.saved(file);
     list_lessons();
-    gui_.interface.show_note("Saved " + file.string());
+    gui_.interface.show_done("Saved " + file.string());
     if (std::exchange(closes_when_saved_, false)) close();
 }
 

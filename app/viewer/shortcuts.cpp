@@ -82,6 +82,8 @@ void Viewer::shortcut(const KeyPress& key) {
             if (presenting()) host_.to_next_monitor();
             break;
         case ImGuiKey_Tab:
+            if (gui_.interface.tab_is_free()) gui_.interface.toggle_panel();
+            break;
         case ImGuiKey_H: gui_.interface.toggle_panel(); break;
         case ImGuiKey_F: frame_surface(); break;
         default: break;

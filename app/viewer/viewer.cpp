@@ -21,6 +21,7 @@ namespace {
 constexpr int kFramesAfterEvent = 3;
 constexpr double kCarrying = 0.9;      // seconds from one space to the other, for the derivation's arrows
 constexpr double kLookForFile = 0.05;  // seconds, while one is being read, or a surface made
+constexpr double kKeepTyped = 2.0;     // seconds until what is being typed is safe from a crash
 constexpr double kQuietly = 0.3;       // seconds until it is said that a surface is being made
 constexpr std::string_view kMaking = "Computing the surface \u2026  Esc cancels";
 
@@ -117,6 +118,7 @@ double Viewer::due() const {
     if (frames_wanted_ > 0 || swing_ || carrying_since_) return 0.0;
     double wait = std::max(wake_at() - host_.now(), 0.0);
     if (lesson_is_watched()) wait = std::min(wait, std::max(watch_.due() - host_.now(), 0.0));
+    if (keep_due_) wait = std::min(wait, std::max(*keep_due_ - host_.now(), 0.0));
     return opening_ || surfaces_.making() ? std::min(wait, kLookForFile) : wait;
 }
 
@@ -126,6 +128,7 @@ void Viewer::step() {
     if (carrying_since_ && host_.now() - *carrying_since_ >= kCarrying) carrying_since_.reset();
     finish_opening();
     watch_lesson();
+    if (keep_due_ && host_.now() >= *keep_due_) keep(document_.all_unsaved());
     if (host_.now() >= wake_at()) frames_wanted_ = std::max(frames_wanted_, 1);
     if (frames_wanted_ == 0) return;
     --frames_wanted_;
@@ -215,10 +218,17 @@ Requests Viewer::lay_out() {
     const bool was_exercising = exercising(), was_in_lesson = in_lesson();
     const std::optional<ErrorStatistics>& errors = errors_.get(document_.scene, frame_->surface);
     gui_.layout(shown_scene().theme, scale(), [&] {
-        requests =
-            gui_.interface.draw(document_.scene, *frame_,
-                                {document_.can_undo(), document_.can_redo(), errors, document_.file(),
-                                 document_.has_file(), true, in_lesson(), document_.draft, document_.as_named()});
+        requests = gui_.interface.draw(document_.scene, *frame_,
+                                       {.can_undo = document_.can_undo(),
+                                        .can_redo = document_.can_redo(),
+                                        .errors = errors,
+                                        .file = document_.file(),
+                                        .has_file = document_.has_file(),
+                                        .by_hand = true,
+                                        .in_lesson = in_lesson(),
+                                        .draft = document_.draft,
+                                        .unsaved_lesson = document_.unsaved_lesson(),
+                                        .as_named = document_.as_named()});
     });
     laid_out_at_ = host_.now();
     if (was_exercising && !exercising()) document_.set_origin(origin_before_exercises_);
@@ -280,7 +290,10 @@ void Viewer::draw() {
     obey(requests);
     if (!pointer_.scrolled()) commit_if_finished();
     show_title();
-    if (!pointer_.busy() && !gui_.editing()) keep(document_.all_unsaved());
+    if (!pointer_.busy() && !gui_.editing())
+        keep(document_.all_unsaved());
+    else if (gui_.wants_keyboard() && !keep_due_)
+        keep_due_ = host_.now() + kKeepTyped;  // somebody may go from field to field for minutes
     if (!gui_.interface.dialog_shown()) closes_when_saved_ = false;
     if (gui_.has_more_input()) frames_wanted_ = std::max(frames_wanted_, 1);
 }

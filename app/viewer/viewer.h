@@ -213,7 +213,8 @@ private:
     Document document_;
     std::shared_ptr<Origin> origin_before_exercises_;
     std::string title_;
-    std::vector<UnsavedWork> kept_;  ///< by the host
+    std::vector<UnsavedWork> kept_;   ///< by the host
+    std::optional<double> keep_due_;  ///< for what is being typed, by the host's clock
     bool closes_when_saved_ = false;
     std::vector<UnsavedWork> offered_;
     bool unanswered_ = false;  // whether to go back to them

@@ -43,6 +43,27 @@ TEST_F(DerivationTest, EachLineHasItsArrows) {
     EXPECT_EQ(scene(), before);
 }
 
+// A remote control cannot scroll.
+TEST_F(DerivationTest, AllOfItIsSeenByARoom) {
+    for (const glm::ivec2 size : {glm::ivec2(1280, 720), glm::ivec2(1920, 1080), glm::ivec2(1024, 768)}) {
+        host_.full = false;
+        host_.size = size;
+        start(light(), "4-derivation#9");
+        key(ImGuiKey_F5);
+        const auto expect_all_in_sight = [&] {
+            const ImGuiWindow* lines = Item("##derivation/##lines").window();
+            EXPECT_EQ(lines->ScrollMax.y, 0.0f) << size.x;
+            EXPECT_LE(lines->ContentSize.x, lines->Size.x) << size.x;
+            EXPECT_GE(viewer().frame()->rect.size.x, size.x / 3) << size.x;
+        };
+        expect_all_in_sight();
+        click(Item("##derivation/##header") / "##numbers" / "numbers");
+        expect_all_in_sight();
+        click(Item("##derivation/##header") / "step by step");
+        expect_all_in_sight();
+    }
+}
+
 TEST_F(DerivationTest, TheArrowKeysBeginItAndGoOnWhereverOneHasClicked) {
     start();
     key(ImGuiKey_D);

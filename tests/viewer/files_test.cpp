@@ -169,6 +169,18 @@ TEST_F(FilesTest, WhatCannotBeWrittenSaysWhy) {
     EXPECT_EQ(named(), "");
 }
 
+TEST_F(FilesTest, ASuccessTakesAnEarlierErrorAway) {
+    start();
+    answer_dialog(ImGuiKey_S, "/proc/x.json");
+    ASSERT_NE(message().find("/proc/x.json"), std::string::npos) << message();
+    answer_dialog(ImGuiKey_S, path("ok.json"));
+    EXPECT_EQ(message(), "Saved " + path("ok.json"));
+    open("nonsense.json");
+    ASSERT_NE(message().find("nonsense.json"), std::string::npos) << message();
+    open("shear");
+    EXPECT_EQ(message().find("nonsense.json"), std::string::npos) << message();
+}
+
 TEST_F(FilesTest, SavingGoesBackToTheFile) {
     Scene naive = light();
     naive.rule = Rule::Naive;

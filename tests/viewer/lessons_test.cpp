@@ -345,5 +345,22 @@ TEST_F(LessonsTest, AMeshOpenedInAnExerciseHasTheEarlierScene) {
     EXPECT_EQ(scene(), light());
 }
 
+TEST_F(LessonsTest, WordsThatFitHaveNoScrollBar) {
+    host_.size = {1280, 720};
+    for (const char* lesson : {"4-derivation", "8-bug-gallery"}) {
+        start(light(), lesson);
+        key(ImGuiKey_F5);
+        for (std::size_t i = 0; i < lecture().player.lesson().steps.size(); ++i) {
+            const ImGuiWindow* words = Item("##captions/##words").window();
+            // Half of the window is as much as the strip ever takes.
+            if (words->ParentWindow->Size.y < 355.0f) {
+                EXPECT_FALSE(words->ScrollbarY) << lesson << "#" << i + 1;
+            }
+            keys({ImGuiKey_PageDown});
+            if (lecture().player.number() == i) key(ImGuiKey_PageDown);  // after the answer
+        }
+    }
+}
+
 }  // namespace
 }  // namespace normalscope

@@ -189,6 +189,16 @@ TEST_F(WorkTest, WhatIsUnsavedIsKeptOnceAChangeIsDone) {
     EXPECT_EQ(host_.kept, "");
 }
 
+TEST_F(WorkTest, WhatASceneSaysOfItselfIsKeptAsLongAsItHolds) {
+    start(light("shear"), "shear");
+    ASSERT_NE(scene().about, "");
+    key(ImGuiKey_R);  // no shear any more
+    EXPECT_EQ(kept().stack, scene().stack);
+    EXPECT_EQ(kept().about, "");
+    key(kCtrl | ImGuiKey_Z);
+    EXPECT_NE(scene().about, "");
+}
+
 TEST_F(WorkTest, WhatAnEarlierSessionLeftIsOffered) {
     Scene left = light();
     left.rule = Rule::Cofactor;

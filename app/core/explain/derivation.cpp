@@ -164,13 +164,24 @@ std::string written_out(const Step& step) {
     const auto &a = left.operands[0].value, &b = left.operands[1].value;
     if (!a || !b || a->rows != 3 || b->rows != 3) return {};
     // As the matrices beside it have them.
-    const auto number = [](double x) { return x >= 5e-4 && x < 1000.0 ? with_decimals(x, 3) : number_text(x, 0.0, 3); };
+    const auto size = [](double x) {
+        x = std::abs(x);
+        return x >= 5e-4 && x < 1000.0 ? with_decimals(x, 3) : number_text(x, 0.0, 3);
+    };
     std::string text;
+    const auto factor = [&](double x) {
+        const std::string minus = "−" + size(x);
+        return x >= 0.0 ? size(x) : text.empty() ? minus : "(" + minus + ")";
+    };
     for (int r = 0; r < 3; ++r) {
         const double x = a->clean(r, 0), y = b->clean(r, 0);
-        const bool minus = x * y < 0.0;
-        text += r == 0 ? (minus ? "−" : "") : minus ? " − " : " + ";
-        text += number(std::abs(x)) + "·" + number(std::abs(y));
+        if (x * y < 0.0) {
+            text += (r == 0 ? "−" : " − ") + size(x) + "·" + size(y);
+            continue;
+        }
+        if (r > 0) text += " + ";
+        text += factor(x);
+        text += "·" + factor(y);
     }
     return text + " = " + (step.state == Step::State::Holds ? "0" : number_text(*left.value, 0, 0, 3));
 }

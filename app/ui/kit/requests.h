@@ -52,8 +52,9 @@ struct Status {
     bool has_file = false;  ///< which is the user's, and can be saved to
     bool by_hand = false;   ///< a user's hand changes the scene, and no command does
     bool in_lesson = false;
-    Draft draft{};         ///< the lesson that is being written
-    bool as_named = true;  ///< surface and map are still those of which the scene's `about` speaks
+    Draft draft{};                ///< the lesson that is being written
+    bool unsaved_lesson = false;  ///< which no file holds as it is
+    bool as_named = true;         ///< surface and map are still those of which the scene's `about` speaks
 };
 
 }  // namespace normalscope

@@ -83,6 +83,13 @@ void color_widgets(const Look& look, ImVec4* c) {
 
 float Look::px(float logical) const { return std::round(logical * scale); }
 
+Look Look::smaller(float by) const {
+    Look look = *this;
+    look.scale *= by;
+    look.shrink *= by;
+    return look;
+}
+
 ImVec4 Look::readable(const glm::vec3& color) const {
     const glm::vec3 toward = is_dark(theme) ? glm::vec3(1.0f) : glm::vec3(0.0f);
     const float more = has_contrast(theme) ? 0.18f : 0.0f;

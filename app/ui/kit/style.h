@@ -13,7 +13,8 @@ namespace normalscope {
 /// What everything in the interface is drawn with: fonts, colours and the scale.
 struct Look {
     Theme theme = Theme::Light;
-    float scale = 1.0f;  ///< physical pixels per logical one
+    float scale = 1.0f;   ///< physical pixels per logical one
+    float shrink = 1.0f;  ///< of mathematics, where it stands smaller than the fonts have it
     Fonts fonts;
     bool tips = true;    ///< not after a key: then the pointer only rests where it is
     bool still = false;  ///< a picture of it is made: there is nothing to press
@@ -26,6 +27,8 @@ struct Look {
 
     /// Logical pixels to physical ones, whole so that edges are sharp.
     float px(float logical) const;
+    /// The same for what stands smaller than all else, in the fonts that there are.
+    Look smaller(float by) const;
     /// A palette colour as text: moved toward the theme's text colour until it reads well on a card.
     ImVec4 readable(const glm::vec3& color) const;
     ImVec4 readable(Rule rule) const;

@@ -210,7 +210,7 @@ StripRequests CaptionStrip::draw(const Look& look, const Speech& speech, const S
         ImGui::PopStyleColor();
     }
     ImGui::SetCursorScreenPos(origin);
-    ImGui::Dummy({1, column.at().y - origin.y});
+    ImGui::Dummy({1, column.at().y - look.px(kStripGap) - origin.y});  // the last gap is nothing to scroll to
     if (said_ != speech) ImGui::SetScrollY(0.0f);
     said_ = speech;
     if (std::exchange(explained_, state.answer) != state.answer && state.answer)

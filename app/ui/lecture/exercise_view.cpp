@@ -162,7 +162,6 @@ StripState Exercises::state() const {
 }
 
 void Exercises::obey(const StripRequests& requests, Scene& scene) {
-    if (requests.close) return leave(scene);
     if (requests.choose) choose(*requests.choose, scene);
     if (!requests.action) return;
     if (answered())

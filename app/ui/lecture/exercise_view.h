@@ -55,7 +55,7 @@ public:
     /// What may be said in this exercise, the present first: the strip holds any of them.
     std::vector<Speech> speeches() const;
     StripState state() const;
-    /// What the strip's buttons ask for.
+    /// What the strip's buttons ask for, but for its ×.
     void obey(const StripRequests& requests, Scene& scene);
 
 private:

@@ -214,8 +214,9 @@ void Lecture::draw(const Look& look, Scene& scene, const PixelRect& room, const 
                       {static_cast<float>(room.size.x), static_cast<float>(room.size.y)});
     };
     if (exercises.running()) {
-        exercises.obey(strip_.draw(look, in_its_room(all.front()), exercises.state(), strip), scene);
-        return;
+        const StripRequests requests = strip_.draw(look, in_its_room(all.front()), exercises.state(), strip);
+        ends_ = requests.close;
+        return exercises.obey(requests, scene);
     }
     StripState state;
     if (player.running())
@@ -237,14 +238,12 @@ void Lecture::draw(const Look& look, Scene& scene, const PixelRect& room, const 
                       {},
                       {}};
     const StripRequests requests = strip_.draw(look, in_its_room(speech), state, strip);
-    if (!player.running()) {
-        return;
-    }
+    if (!player.running()) return;
     if (requests.choose) player.choose(*requests.choose);
     if (requests.next) press_in_lesson(LectureKey::Next, scene);
     if (requests.previous) press_in_lesson(LectureKey::Previous, scene);
     if (requests.again) press_in_lesson(LectureKey::Again, scene);
-    if (requests.close) leave(scene);
+    ends_ = requests.close;
 }
 
 void Lecture::draw_screen(const Look& look, bool pointer_rests) const {

@@ -56,6 +56,9 @@ public:
     /// The lesson that is gone on to, once after it has been asked for.
     std::optional<std::string> wanted_lesson() { return std::exchange(wanted_lesson_, std::nullopt); }
 
+    /// Its × was pressed: once after that.
+    bool wants_to_end() { return std::exchange(ends_, false); }
+
     /// A question waits for its answer.
     bool asking() const { return exercises.asking() || (player.running() && player.asking()); }
     /// There are words below the picture.
@@ -91,6 +94,7 @@ private:
     enum class Announced { Nothing, Next, Previous };
     Announced announced_ = Announced::Nothing;
     std::optional<std::string> wanted_lesson_;
+    bool ends_ = false;
     float takes_before_ = 0.0f, takes_ = 0.0f;  ///< of the room, below the picture: at the step before, and now
     Speech said_;  ///< of the scene, as of the last draw: in presenter mode without a lesson
 };

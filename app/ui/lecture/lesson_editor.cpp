@@ -13,12 +13,17 @@ namespace {
 
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
-    for (std::size_t begin = 0; begin <= text.size() && lines.size() < kMostEquations;) {
+    for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         if (end > begin) lines.push_back(text.substr(begin, end - begin));
         begin = end + 1;
     }
     return lines;
+}
+
+std::vector<std::string> as_many_as_fit(std::vector<std::string> equations) {
+    if (equations.size() > kMostEquations) equations.resize(kMostEquations);
+    return equations;
 }
 
 template <class Change>
@@ -50,24 +55,30 @@ void LessonEditor::words(const EditedLesson& edited, Requests& requests) {
     typing_ = false;
     const auto changed = [&](const Typed& typed, auto&& how) {
         typing_ |= typed.typing;
-        if (typed.changed) change(draft, requests, how);
+        if (!typed.changed) return;
+        if (std::exchange(typed_in_, typed.field) != typed.field) requests.step = true;  // of the field before
+        change(draft, requests, how);
     };
     const auto step = [&](Lesson& lesson) -> LessonStep& { return lesson.steps.at(draft.step); };
     name_of_field(look, "Title");
-    changed(word_field({.id = "##Title", .most = kLongestNote}, title_),
+    changed(word_field(look, {.id = "##Title", .most = kLongestNote}, title_),
             [&](Lesson& l) { l.title = title_.empty() ? "My lesson" : title_; });
     name_of_field(look, "What is said");
-    changed(word_field({.id = "##What is said", .lines = 4, .most = kLongestCaption}, caption_),
+    changed(word_field(look, {.id = "##What is said", .lines = 4, .most = kLongestCaption}, caption_),
             [&](Lesson& l) { step(l).caption = in_a_row(caption_); });
     name_of_field(look, "What to look at");
-    changed(word_field({.id = "##What to look at", .lines = 2, .most = kLongestNote}, look_at_),
+    changed(word_field(look, {.id = "##What to look at", .lines = 2, .most = kLongestNote}, look_at_),
             [&](Lesson& l) { step(l).look_at = in_a_row(look_at_); });
     name_of_field(look, "Equations, a line each");
-    changed(
-        line_field({.id = "##Equations, a line each", .lines = 3, .most = kMostEquations * kLongestNote}, equations_),
-        [&](Lesson& l) { step(l).equations = lines_of(equations_); });
-    if (section(look, "Question and notes", false))
-        changed(question_.draw(look), [&](Lesson& l) { question_.write_to(step(l)); });
+    changed(line_field(look, {.id = "##Equations, a line each", .lines = 3, .most = kMostEquations * kLongestNote},
+                       equations_),
+            [&](Lesson& l) { step(l).equations = as_many_as_fit(lines_of(equations_)); });
+    if (lines_of(equations_).size() > kMostEquations)
+        say_of_field(look, "Only the first " + std::to_string(kMostEquations) + " lines are shown and saved.");
+    ImGui::PushTabStop(!unfolded_);  // Tab goes from field to field, but unfolds what is folded
+    unfolded_ = section(look, "Question and notes", false);
+    ImGui::PopTabStop();
+    if (unfolded_) changed(question_.draw(look), [&](Lesson& l) { question_.write_to(step(l)); });
 }
 
 void LessonEditor::steps(const EditedLesson& edited, Requests& requests) const {
@@ -149,6 +160,7 @@ void LessonEditor::draw(const EditedLesson& edited, Requests& requests) {
     steps(edited, requests);
     ending(edited, requests);
     buttons_ = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y + ImGui::GetStyle().WindowPadding.y - fields;
+    has_keyboard_ = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
     if (requests.edit && typing_) shown_ = *requests.edit;  // what is typed is not read back while it is
     ImGui::End();
     ImGui::PopStyleVar(3);

@@ -28,6 +28,8 @@ inline constexpr float kEditorWidth = 340.0f;  ///< logical pixels
 class LessonEditor {
 public:
     void draw(const EditedLesson& edited, Requests& requests);
+    /// Its fields and buttons had it when it was drawn last.
+    bool has_keyboard() const { return has_keyboard_; }
 
 private:
     void read(const EditedLesson& edited);
@@ -38,7 +40,9 @@ private:
     Draft shown_;                              ///< whose words the fields hold
     float width_ = 0.0f;                       ///< of their lines
     float fields_ = 1000.0f, buttons_ = 0.0f;  ///< how high they were, of the window
-    bool typing_ = false;
+    bool typing_ = false, has_keyboard_ = false;
+    bool unfolded_ = false;  ///< the question and the notes
+    ImGuiID typed_in_ = 0;   ///< the field that was changed last
     std::string title_, caption_, look_at_, equations_;
     QuestionFields question_;
 };

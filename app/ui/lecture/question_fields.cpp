@@ -43,13 +43,18 @@ std::size_t QuestionFields::right_row() const {
 Typed QuestionFields::draw_answer(const Look& look, std::size_t i) {
     Typed typed;
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::RadioButton("##right", right_row() == i)) right_ = i, typed.changed = true;
+    ImGui::PushTabStop(false);  // Tab goes from field to field
+    if (ImGui::RadioButton("##right", right_row() == i)) {
+        right_ = i;
+        typed = {.changed = true, .field = ImGui::GetItemID()};
+    }
+    ImGui::PopTabStop();
     tip(look, "The right one.");
     ImGui::SameLine(0, look.px(kGap));
     ImGui::BeginGroup();
     const std::string hint = std::string("Answer ") + static_cast<char>('A' + i);
-    typed |= word_field({.id = "##answer", .most = kLongestChoice, .hint = hint.c_str()}, rows_[i].text);
-    typed |= word_field({.id = "##because", .lines = 2, .most = kLongestNote}, rows_[i].because);
+    typed |= word_field(look, {.id = "##answer", .most = kLongestChoice, .hint = hint.c_str()}, rows_[i].text);
+    typed |= word_field(look, {.id = "##because", .lines = 2, .most = kLongestNote}, rows_[i].because);
     ImGui::EndGroup();
     ImGui::PopID();
     return typed;
@@ -58,11 +63,11 @@ Typed QuestionFields::draw_answer(const Look& look, std::size_t i) {
 Typed QuestionFields::draw(const Look& look) {
     Typed typed;
     name_of_field(look, "What is asked");
-    typed |= word_field({.id = "##ask", .lines = 2, .most = kLongestNote}, ask_);
+    typed |= word_field(look, {.id = "##ask", .lines = 2, .most = kLongestNote}, ask_);
     name_of_field(look, "Answers, each with what is said of it");
     for (std::size_t i = 0, shown = rows_to_show(); i < shown; ++i) typed |= draw_answer(look, i);
     name_of_field(look, "Notes, which no picture shows");
-    typed |= word_field({.id = "##notes", .lines = 4, .most = kLongestNotes}, notes_);
+    typed |= word_field(look, {.id = "##notes", .lines = 4, .most = kLongestNotes}, notes_);
     return typed;
 }
 

@@ -3,44 +3,84 @@
 #include "core/base/utf8.h"
 #include "ui/kit/widgets.h"
 
+#include <imgui_internal.h>  // the text that is being edited
 #include <misc/cpp/imgui_stdlib.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace normalscope {
 
 namespace {
 
+/// What the callback of a field needs.
+struct Editing {
+    std::size_t most = 0;
+    std::optional<float> width;  ///< of its lines, which break there
+};
+
 // What is too much goes at once, before the cursor: of what has just been typed or pasted.
-int keep_to_limit(ImGuiInputTextCallbackData* data) {
-    const std::size_t most = *static_cast<const std::size_t*>(data->UserData);
-    while (data->CursorPos > 0 && columns({data->Buf, static_cast<std::size_t>(data->BufTextLen)}) > most) {
-        int begin = data->CursorPos - 1;
-        while (begin > 0 && (static_cast<unsigned char>(data->Buf[begin]) & 0xC0U) == 0x80U) --begin;
-        data->DeleteChars(begin, data->CursorPos - begin);
+void keep_to_limit(ImGuiInputTextCallbackData& data, std::size_t most) {
+    while (data.CursorPos > 0 && columns({data.Buf, static_cast<std::size_t>(data.BufTextLen)}) > most) {
+        int begin = data.CursorPos - 1;
+        while (begin > 0 && (static_cast<unsigned char>(data.Buf[begin]) & 0xC0U) == 0x80U) --begin;
+        data.DeleteChars(begin, data.CursorPos - begin);
     }
+}
+
+// A break stands in a space's place, so that nothing else moves: what Dear ImGui would undo is as it was, and so is where it
+// has the cursor.
+void break_lines(ImGuiInputTextCallbackData& data, float width) {
+    const std::string text = broken(in_a_row({data.Buf, static_cast<std::size_t>(data.BufTextLen)}), width);
+    std::ranges::copy(text, data.Buf);
+    ImGuiInputTextState& state = ImGui::GetCurrentContext()->InputTextState;
+    if (!data.BufDirty) ImTextStrFromUtf8(state.TextW.Data, state.TextW.Size, data.Buf, nullptr);
+}
+
+int edited(ImGuiInputTextCallbackData* data) {
+    const auto& editing = *static_cast<const Editing*>(data->UserData);
+    keep_to_limit(*data, editing.most);
+    if (editing.width) break_lines(*data, *editing.width);
     return 0;
 }
 
-}  // namespace
-
-Typed line_field(const WordField& field, std::string& text) {
+Typed draw_field(const Look& look, const WordField& field, std::string& text, std::optional<float> width) {
     constexpr ImGuiInputTextFlags kFlags = ImGuiInputTextFlags_CallbackEdit;
-    std::size_t most = field.most;
+    Editing editing{field.most, width};
+    const std::string typed = text;
     ImGui::SetNextItemWidth(-1);
     const float height =
         static_cast<float>(field.lines) * ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().FramePadding.y;
     const bool changed = field.lines == 1
-                             ? ImGui::InputTextWithHint(field.id, field.hint, &text, kFlags, keep_to_limit, &most)
-                             : ImGui::InputTextMultiline(field.id, &text, {-1, height}, kFlags, keep_to_limit, &most);
-    return {changed, ImGui::IsItemActive()};
+                             ? ImGui::InputTextWithHint(field.id, field.hint, &text, kFlags, edited, &editing)
+                             : ImGui::InputTextMultiline(field.id, &text, {-1, height}, kFlags, edited, &editing);
+    Typed result{changed, ImGui::IsItemActive(), ImGui::GetItemID()};
+    // Dear ImGui's Escape takes back all that was typed since the field was entered.
+    if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGuiKey_Escape, false)) {
+        text = typed;
+        result = {};
+    }
+    if (columns(text) >= field.most)
+        say_of_field(look, "No more than " + std::to_string(field.most) + " characters fit in here.");
+    return result;
 }
 
-Typed word_field(const WordField& field, std::string& text) {
-    const float width = width_of_lines();
-    const Typed typed = line_field(field, text);
-    if (field.lines > 1 && ImGui::IsItemDeactivated()) text = broken(in_a_row(text), width);
-    return typed;
+}  // namespace
+
+Typed line_field(const Look& look, const WordField& field, std::string& text) {
+    return draw_field(look, field, text, std::nullopt);
+}
+
+Typed word_field(const Look& look, const WordField& field, std::string& text) {
+    return draw_field(look, field, text, field.lines > 1 ? std::optional(width_of_lines()) : std::nullopt);
+}
+
+void say_of_field(const Look& look, const std::string& line) {
+    ImGui::PushFont(look.fonts.small);
+    ImGui::PushStyleColor(ImGuiCol_Text, look.bad);
+    ImGui::TextUnformatted(line.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
 }
 
 float width_of_lines() {
@@ -54,21 +94,17 @@ void name_of_field(const Look& look, const char* name) {
     ImGui::PopFont();
 }
 
-std::string broken(const std::string& words, float width) {
-    std::string text, line;
-    for (std::size_t begin = 0; begin < words.size();) {
-        const std::size_t end = std::min(words.find(' ', begin), words.size());
-        const std::string word = words.substr(begin, end - begin);
-        const std::string longer = line.empty() ? word : line + " " + word;
-        if (!line.empty() && ImGui::CalcTextSize(longer.c_str()).x > width) {
-            text += line + "\n";
-            line = word;
-        } else {
-            line = longer;
+std::string broken(std::string words, float width) {
+    std::size_t line = 0, space = std::string::npos;  // where the line begins, and where it could end
+    for (std::size_t i = 0; i <= words.size(); ++i) {
+        if (i < words.size() && words[i] != ' ') continue;
+        if (space != std::string::npos && ImGui::CalcTextSize(&words[line], &words[0] + i).x > width) {
+            words[space] = '\n';
+            line = space + 1;
         }
-        begin = end + 1;
+        space = i;
     }
-    return text + line;
+    return words;
 }
 
 std::string in_a_row(std::string text) {

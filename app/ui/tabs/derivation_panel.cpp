@@ -8,34 +8,30 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <string>
 #include <utility>
 
 namespace normalscope {
 
-namespace {
-
-constexpr float kMargin = 16.0f;
-constexpr float kGutter = 26.0f;  // for a line's number and its mark
-
-float height_of(const Passage& passage) {
-    float height = 0.0f;
-    for (const Passage::Row& row : passage.rows) height += row.above + row.box.height();
-    return height;
-}
-
-}  // namespace
-
-void DerivationPanel::lay_out(const Look& look, const Scene& scene, const Frame& frame, float width) {
+DerivationPanel::Basis DerivationPanel::basis_of(const Scene& scene, const Frame& frame, float width) const {
     const Transform<World, Object> m = world_from_object(scene);
     const int factors = static_cast<int>(applied_stack(scene).size());
     const std::optional<Probe> probe = frame.probe ? std::optional(frame.probe->object) : std::nullopt;
     Basis basis{m.matrix(), m.normal_matrices_by_rule().rank, factors, notes(scene, m, probe), {}, tangent_, shown_,
                 width};
     if (probe) basis.probe = {probe->point.xyz, probe->normal.xyz, probe->tangents[0].xyz, probe->tangents[1].xyz};
+    return basis;
+}
+
+void DerivationPanel::lay_out(const Look& look, const Scene& scene, const Frame& frame) {
+    const float width = width_of_lines(look);
+    Basis basis = basis_of(scene, frame, width);
     if (laid_out_for_ == basis) return;
-    const Derivation data = derivation(m, factors, with_normal(probe), tangent_);
+    const Transform<World, Object> m = world_from_object(scene);
+    const std::optional<Probe> probe = frame.probe ? std::optional(frame.probe->object) : std::nullopt;
+    const Derivation data = derivation(m, basis.factors, with_normal(probe), tangent_);
     passages_ = passages(look, data, shown_, tangent_, width);
     const Meaning by = data.n_world_by == Rule::Cofactor ? Meaning::Cofactor : Meaning::InverseTranspose;
     notes_.clear();
@@ -194,13 +190,11 @@ void DerivationPanel::row(const Look& look, const Passage::Row& row, ImVec2 at) 
     draw_math(list, look, row.box, origin);
 }
 
-void DerivationPanel::passage(const Look& look, std::size_t i) {
+void DerivationPanel::passage(const Look& look, std::size_t i, float width) {
     const Passage& passage = passages_[i];
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 from = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x, gutter = look.px(kGutter), pad = look.px(9);
-    const float title = passage.title.empty() ? 0.0f : look.fonts.strong->FontSize + look.px(8);
-    const float height = height_of(passage) + title + 2 * pad;
+    const float gutter = look.px(kGutter), height = height_of(look, passage);
     const ImVec2 end{from.x + width, from.y + height};
     if (stepping_ && i == current_) {
         list.AddRectFilled(from, end, packed(look.card), look.px(6));
@@ -211,18 +205,20 @@ void DerivationPanel::passage(const Look& look, std::size_t i) {
             height < view ? ImGui::SetScrollFromPosY(top + height / 2, 0.5f) : ImGui::SetScrollFromPosY(top, 0.0f);
         scroll_frames_ = std::max(0, scroll_frames_ - 1);
     }
-    ImVec2 at{from.x + gutter + look.px(6), from.y + pad};
+    ImVec2 at{from.x + gutter + look.px(6), from.y + look.px(kPad)};
     const ImFont* small = look.fonts.small;
+    const float size = look.shrink * small->FontSize, ascent = look.shrink * small->Ascent;
     if (passage.title.empty()) {
         const std::string number = std::to_string(i + 1);
-        const float number_width = small->CalcTextSizeA(small->FontSize, 1e9f, 0, number.c_str()).x;
+        const float number_width = small->CalcTextSizeA(size, 1e9f, 0, number.c_str()).x;
         const float baseline = at.y + passage.rows.front().box.ascent;
-        list.AddText(small, small->FontSize,
-                     {std::round(from.x + gutter - look.px(6) - number_width), baseline - std::round(small->Ascent)},
+        list.AddText(small, size,
+                     {std::round(from.x + gutter - look.px(6) - number_width), baseline - std::round(ascent)},
                      packed(look.dim), number.c_str());
     } else {
-        list.AddText(look.fonts.strong, look.fonts.strong->FontSize, at, packed(look.text), passage.title.c_str());
-        at.y += title;
+        list.AddText(look.fonts.strong, look.shrink * look.fonts.strong->FontSize, at, packed(look.text),
+                     passage.title.c_str());
+        at.y += look.shrink * look.fonts.strong->FontSize + look.px(8);
     }
     for (std::size_t r = 0; r < passage.rows.size(); ++r) {
         at.y += passage.rows[r].above;
@@ -230,8 +226,7 @@ void DerivationPanel::passage(const Look& look, std::size_t i) {
         // The mark stands beside the reason: the line is true of these numbers, or not.
         if (r == 1 && passage.title.empty()) {
             const bool holds = passage.state == Step::State::Holds, fails = passage.state == Step::State::Fails;
-            list.AddText(small, small->FontSize,
-                         {from.x + look.px(7), at.y + passage.rows[r].box.ascent - std::round(small->Ascent)},
+            list.AddText(small, size, {from.x + look.px(7), at.y + passage.rows[r].box.ascent - std::round(ascent)},
                          packed(holds   ? look.good
                                 : fails ? look.bad
                                         : look.dim),
@@ -246,33 +241,44 @@ void DerivationPanel::passage(const Look& look, std::size_t i) {
 }
 
 // What is special about this M, before all lines.
-void DerivationPanel::draw_notes(const Look& look) {
+void DerivationPanel::draw_notes(const Look& look, float width) {
     if (notes_.empty()) return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 from = ImGui::GetCursorScreenPos();
-    const float pad = look.px(8), width = ImGui::GetContentRegionAvail().x;
-    float height = pad;
-    for (const MathBox& note : notes_) height += note.height() + pad;
-    list.AddRectFilled(from, {from.x + width, from.y + height}, packed(look.card), look.px(6));
-    float y = from.y + pad;
+    list.AddRectFilled(from, {from.x + width, from.y + notes_height(look) - look.px(4)}, packed(look.card), look.px(6));
+    float y = from.y + look.px(8);
     for (const MathBox& note : notes_) {
         draw_math(list, look, note, {from.x + look.px(kGutter) + look.px(6), y + note.ascent});
-        y += note.height() + pad;
+        y += note.height() + look.px(8);
     }
-    ImGui::Dummy({width, height + look.px(4)});
 }
 
-void DerivationPanel::draw(const Look& look, const Scene& scene, const Frame& frame, bool shown, float top) {
+void DerivationPanel::draw_lines(const Look& look, float width, float height) {
+    const ImVec2 from = ImGui::GetCursorScreenPos();
+    draw_notes(look, width);
+    ImVec2 at{from.x, from.y + notes_height(look)};
+    for (std::size_t i = 0; i < lines_shown(); ++i) {
+        const float each = height_of(look, passages_[i]);
+        if (at.y > from.y && at.y + each > from.y + height) at = {at.x + look.px(kDerivationWidth), from.y};
+        ImGui::SetCursorScreenPos(at);
+        passage(look, i, width);
+        at.y += each;
+    }
+}
+
+void DerivationPanel::draw(const Look& look, const Scene& scene, const Frame& frame,
+                           const std::optional<DerivationRoom>& room) {
     pointed_at_before_ = std::exchange(pointed_at_, std::nullopt);
-    if (!shown) return;
+    if (!room || !room->to_all) fit_ = {}, fitted_for_.reset();
+    if (!room) return;
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    const float width = std::min(look.px(kDerivationWidth), screen.x), margin = look.px(kMargin),
+    const float width = std::min(look.px(this->width()), screen.x), margin = look.px(kMargin),
                 bar = ImGui::GetStyle().ScrollbarSize;
-    lay_out(look, scene, frame, width - 2 * margin - look.px(kGutter));
+    lay_out(look.smaller(fit_.shrink), scene, frame);
 
     // The arrow keys turn the lines over; otherwise they wander from button to button as everywhere.
     const ImGuiWindowFlags no_keys = stepping_ ? ImGuiWindowFlags_NoNavInputs : 0;
-    begin_beside(frame.rect, "##derivation", {screen.x - width, top}, {width, screen.y - top}, no_keys);
+    begin_beside(frame.rect, "##derivation", {screen.x - width, room->top}, {width, screen.y - room->top}, no_keys);
     const ImVec2 low = ImGui::GetWindowPos();
     ImGui::GetWindowDrawList()->AddLine({low.x, low.y}, {low.x, low.y + screen.y}, packed(look.line));
 
@@ -285,16 +291,21 @@ void DerivationPanel::draw(const Look& look, const Scene& scene, const Frame& fr
     ImGui::EndChild();
     keys();
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
+    if (room->to_all) fit(look, scene, frame, {screen.x, ImGui::GetContentRegionAvail().y});
+    const Look smaller = look.smaller(fit_.shrink);
+    lay_out(smaller, scene, frame);
 
-    const float side = margin - bar;
+    const float side = room->to_all ? smaller.px(kMargin) : margin - bar;
+    const ImGuiWindowFlags scrolling =
+        room->to_all ? ImGuiWindowFlags_NoScrollbar : ImGuiWindowFlags_AlwaysVerticalScrollbar;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(side, 0));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-    const bool lines =
-        ImGui::BeginChild("##lines", {width, 0}, ImGuiChildFlags_AlwaysUseWindowPadding,
-                          ImGuiWindowFlags_NavFlattened | ImGuiWindowFlags_AlwaysVerticalScrollbar | no_keys);
-    if (lines) draw_notes(look);
-    if (lines)
-        for (std::size_t i = 0; i < passages_.size() && (!stepping_ || i <= current_); ++i) passage(look, i);
+    if (ImGui::BeginChild("##lines", {width, 0}, ImGuiChildFlags_AlwaysUseWindowPadding,
+                          ImGuiWindowFlags_NavFlattened | scrolling | no_keys)) {
+        const ImVec2 inside = ImGui::GetContentRegionAvail();
+        room->to_all ? draw_lines(smaller, smaller.px(kDerivationWidth) - 2 * side, inside.y)
+                     : draw_lines(smaller, inside.x, std::numeric_limits<float>::infinity());
+    }
     ImGui::EndChild();
     ImGui::PopStyleVar(2);
     ImGui::End();

@@ -67,7 +67,7 @@ MathStyle math_style(const Look& look, NumberSize numbers, float shrink) {
             f.tiny,
             nullptr,
             false,
-            shrink,
+            shrink * look.shrink,
             kEm * look.scale * shrink,
             std::max(1.0f, 1.25f * look.scale)};
 }

@@ -107,6 +107,19 @@ TEST(Derivation, DotProductsAreWrittenOut) {
     EXPECT_EQ(written_out(derivation(m, 1, std::nullopt).steps[0]), "");
 }
 
+// A product that is 0, or of two negative numbers, shows whose sign is whose.
+TEST(Derivation, EachFactorThatIsWrittenOutHasItsOwnSign) {
+    const auto given = [](const glm::dvec3& n, const glm::dvec3& v) {
+        const Probe probe{{n}, {n}, {Vector<Object>{v}, Vector<Object>{{0, 0, 1}}}};
+        return written_out(derivation(Transform<World, Object>(glm::dmat4(1.0)), 1, probe).steps[0]);
+    };
+    EXPECT_EQ(given({1, 0, 0}, {0, 0, -1}), "1.000·0 + 0·0 + 0·(−1.000) = 0");
+    EXPECT_EQ(given({0, 1, 0}, {-0.8, 0, -1}), "0·(−0.800) + 1.000·0 + 0·(−1.000) = 0");
+    EXPECT_EQ(given({-1, 0, 0}, {0, 1, 0}), "−1.000·0 + 0·1.000 + 0·0 = 0");
+    EXPECT_EQ(given({0, -1, 0}, {1, 0, 0}), "0·1.000 + (−1.000)·0 + 0·0 = 0");
+    EXPECT_EQ(given({-0.6, -0.8, 0}, {-0.8, 0.6, 0}), "−0.600·(−0.800) − 0.800·0.600 + 0·0 = 0");
+}
+
 TEST(Derivation, ResidualsAgainstTheLengthsStayNearTheirFloor) {
     // Relative to |n| |t| no arithmetic in double can do better than ε times the condition number: M t itself is rounded.
     Random random(12);

@@ -33,5 +33,21 @@ TEST_F(StripLayout, ARoomsQuestionIsAsLargeAsTheCaption) {
     EXPECT_EQ(size(in({1024, 400})), small) << "there is no room";
 }
 
+TEST_F(StripLayout, WhatStaysOnTheBoardHasRoom) {
+    const std::vector<std::string> board{"M_3 = diag(½, 2, 1)", "a = b", "c = d"};
+    for (const auto side : {StripPlace::Side::Below, StripPlace::Side::Beside})
+        for (const float width : {300.0f, 560.0f, 900.0f})
+            for (std::size_t rows = 1; rows <= board.size(); ++rows) {
+                const Speech speech{.caption = "Two.",
+                                    .look_at = {},
+                                    .equations = {},
+                                    .question = {},
+                                    .earlier = {board.begin(), board.begin() + static_cast<std::ptrdiff_t>(rows)}};
+                const ImVec2 strip{width, strip_height(look_, speech, side, width)};
+                EXPECT_EQ(board_rows(look_, speech, strip_rooms(look_, speech, side, strip).board_size).size(), rows)
+                    << width;
+            }
+}
+
 }  // namespace
 }  // namespace normalscope
