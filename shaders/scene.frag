@@ -117,6 +117,7 @@ void main() {
     float size = length(world_normal);
 #ifdef NORMALS
     vec3 shown = unit_at_pixels > 0.5 && size > 0.0 ? world_normal / size : world_normal;
+    if (outside != 0.0 && front_facing == (outside < 0.0)) shown = -shown;
     color = vec4(clamp(0.5 * shown + 0.5, 0.0, 1.0), 1.0) * base_color.a;  // numbers, not light: as they are
     return;
 #endif

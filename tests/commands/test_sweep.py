@@ -126,7 +126,7 @@ class SweepTest(CommandTest):
                      "camera.azimuth=1:2:3:4", "stack.0.scale=[1,1]:[1,1,1]", "camera.azimuth=1:1e999", "x=" + "[" * 9999 + ":1"):
             self.assert_fails(2, "sweep", "--vary", vary, "-o", out, says="--vary")
         self.assert_fails(2, "sweep", "-o", out, says="--vary")
-        for name in ("out.png", "%s.png", "%d-%d.png", "%", "%1000d.png", "", "%d.jpg"):
+        for name in ("out.png", "%s.png", "%d-%d.png", "%1000d.png", "", "%d.jpg"):
             self.assert_fails(2, "sweep", "--vary", "camera.azimuth=0:1:2", "-o", name and self.folder / name, says="--output")
         self.assert_fails(2, "sweep", "--vary", "camera.azimuth=0:1:1000", "--vary", "camera.elevation=0:1:1000", "-o", out, says="1000000 pictures")
         self.assert_fails(2, "sweep", *("--vary", "camera.azimuth=0:1:2") * 2, "-o", self.folder / "%d-%d.png", says="twice")

@@ -186,7 +186,6 @@ std::string of_stack(const Explanation& e) {
                 ? "They differ, since $M$ is not affine: the $3\\times3$ part of a product is then not the product of "
                   "the $3\\times3$ parts.\n\n"
                 : "They are $" + latex_number(last.apart->relative, 0.0, 2) + "$ apart, of the largest entry.\n\n";
-    if (e.stack.size() < 2) return out;
     out += "\\subsection*{The wrong orders}\n\\begin{tabular}{lrp{0.45\\textwidth}}\n";
     for (const OrderOfInverses& order : e.orders)
         out += latex_text(order.formula) + " & " + (order.matrix ? degrees(order.degrees_off) : "none") +

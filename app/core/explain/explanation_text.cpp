@@ -245,7 +245,7 @@ std::string of_stack(const Explanation& e) {
 }
 
 std::string of_orders(const Explanation& e) {
-    if (e.orders.empty() || e.stack.size() < 2) return "";
+    if (e.orders.empty()) return "";
     std::string out = heading("The wrong orders, and how far they turn the probe's normal");
     for (const OrderOfInverses& order : e.orders) {
         const std::string off = order.degrees_off ? degrees_text(*order.degrees_off) : order.matrix ? "–" : "none";

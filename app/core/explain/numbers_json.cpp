@@ -92,9 +92,8 @@ Json numbers_json(const Scene& scene, const Frame& frame, const std::optional<Dr
                          [](const auto& n) { return json_rows(n); });
     j["error_degrees"]["worst"] = json_or_null(errors, [](const auto& e) { return json_number(e.worst_degrees); });
     j["error_degrees"]["mean"] = json_or_null(errors, [](const auto& e) { return json_number(e.mean_degrees); });
-    const bool bounded = m.affine() && scene.mistake == Mistake::Naive;  // another mistake may be farther off
     j["error_degrees"]["bound"] =
-        json_or_null(bounded ? matrices.error_bound_degrees(shown_power(scene)) : std::nullopt, json_number);
+        json_or_null(m.affine() ? matrices.error_bound_degrees(shown_power(scene)) : std::nullopt, json_number);
     j["error_degrees"]["at"] = json_or_null(errors, [](const auto& e) { return json_vector(e.at.xyz); });
     const ByRule<std::optional<NormalMap>> maps{mistaken, normal_map(scene, m, Rule::InverseTranspose),
                                                 normal_map(scene, m, Rule::Cofactor)};
