@@ -95,7 +95,9 @@ void Viewer::save_lesson(const std::filesystem::path& file) {
     note_file(file);
     host_.saved(file);
     list_lessons();
-    gui_.interface.show_done("Saved " + file.string());
+    std::string note = "Saved " + file.string();
+    if (const std::vector<std::string> open = gaps(*document_.draft.lesson); !open.empty()) note += "; " + open.front();
+    gui_.interface.show_done(note);
     if (std::exchange(closes_when_saved_, false)) close();
 }
 

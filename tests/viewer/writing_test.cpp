@@ -356,6 +356,16 @@ TEST_F(WritingLessonsTest, EachFieldIsAStepToUndo) {
     EXPECT_EQ(lesson().title, "My lesson");
 }
 
+TEST_F(WritingLessonsTest, SavingSaysWhatIsStillToBeWritten) {
+    start();
+    learn("Write a lesson");
+    answer_dialog(ImGuiKey_S, own());
+    EXPECT_EQ(message(), "Saved " + own() + "; step 1 has no words yet");
+    write_into(Item("##writing/##fields") / "##What is said", "A cube.");
+    key(ImGuiMod_Ctrl | ImGuiKey_S);
+    EXPECT_EQ(message(), "Saved " + own());
+}
+
 TEST_F(WritingLessonsTest, NoSceneIsWrittenOver) {
     const auto file = write("scene.json", R"({"normalscope": 1})");
     start();
