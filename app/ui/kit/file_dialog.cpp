@@ -31,7 +31,7 @@ struct Purpose {
     std::string_view name;    ///< to begin with
 };
 constexpr std::array<Purpose, 5> kPurposes{{
-    {"Open a scene or a mesh", "Open", "", ""},
+    {"Open a scene, a lesson or a mesh", "Open", "", ""},
     {"Open a mesh", "Open", "", ""},
     {"Save the scene", "Save", ".json", "scene.json"},
     {"Save the lesson", "Save", ".json", "lesson.json"},
@@ -53,7 +53,7 @@ std::vector<std::string_view> endings(For purpose) {
 
 std::string filter(For purpose) {
     switch (purpose) {
-        case For::OpenAny: return "scenes and meshes (.json " + mesh_endings_in_words(" ", " ") + ")";
+        case For::OpenAny: return "scenes, lessons and meshes (.json " + mesh_endings_in_words(" ", " ") + ")";
         case For::OpenMesh: return "meshes (" + mesh_endings_in_words(" ", " ") + ")";
         case For::SaveScene: return "scenes (.json)";
         case For::SaveLesson: return "lessons (.json)";
