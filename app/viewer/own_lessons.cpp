@@ -88,7 +88,16 @@ void Viewer::follow_draft() {
         lecture().leave(document_.scene);  // it was begun after this
 }
 
+void Viewer::ask_save_lesson() {
+    std::error_code error;
+    const bool has_file = std::filesystem::is_regular_file(document_.file(), error);
+    gui_.interface.ask_save_lesson(has_file || lesson_folders_.empty() ? std::filesystem::path()
+                                                                       : lesson_folders_.back());
+}
+
 void Viewer::save_lesson(const std::filesystem::path& file) {
+    if (std::error_code error; !lesson_folders_.empty() && file.parent_path() == lesson_folders_.back())
+        std::filesystem::create_directories(lesson_folders_.back(), error);  // writing says what is wrong
     normalscope::save_lesson(*document_.draft.lesson, file);
     document_.lesson_saved_as(file.string());
     watch_.begin(file, host_.now());

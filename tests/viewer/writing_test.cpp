@@ -366,6 +366,16 @@ TEST_F(WritingLessonsTest, SavingSaysWhatIsStillToBeWritten) {
     EXPECT_EQ(message(), "Saved " + own());
 }
 
+TEST_F(WritingLessonsTest, ANewLessonIsSavedWhereItIsListed) {
+    start();
+    viewer().take_lessons_from({folder_.path() / "data" / "lessons"});  // which is not there yet
+    learn("Write a lesson");
+    answer_dialog(ImGuiKey_S, "first");
+    EXPECT_EQ(named(), "first.json");
+    ASSERT_TRUE(std::filesystem::exists(folder_.path() / "data" / "lessons" / "first.json")) << message();
+    EXPECT_EQ(lecture().shelf.lessons.back().title, "My lesson");
+}
+
 TEST_F(WritingLessonsTest, NoSceneIsWrittenOver) {
     const auto file = write("scene.json", R"({"normalscope": 1})");
     start();
