@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "core/frame/display_scale.h"
 #include "core/lessons/open.h"
+#include "core/lessons/writing.h"
 #include "platform/crash_line.h"
 #include "ui/lecture/marks_of_step.h"
 #include "ui/offscreen_gui.h"
@@ -80,6 +81,7 @@ int check_lessons(const LessonsCommand& command) {
     int code = 0;
     for (auto& [lesson, wrong] : all) {
         std::ranges::move(rooms_too_small(lesson), std::back_inserter(wrong));
+        std::ranges::move(gaps(lesson), std::back_inserter(wrong));
         std::string text;
         for (const std::string& line : wrong) text += lesson.name + ", " + line + "\n";
         if (wrong.empty())

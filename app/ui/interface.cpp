@@ -252,7 +252,9 @@ void Interface::ask_open() { state_->dialog.open(FileDialog::For::OpenAny); }
 bool Interface::asks_for_file() const { return state_->dialog.is_open() && state_->dialog.opens(); }
 void Interface::ask_no_more() { state_->dialog.withdraw(); }
 void Interface::ask_save_scene() { state_->dialog.open(FileDialog::For::SaveScene); }
-void Interface::ask_save_lesson() { state_->dialog.open(FileDialog::For::SaveLesson); }
+void Interface::ask_save_lesson(const std::filesystem::path& folder) {
+    state_->dialog.open(FileDialog::For::SaveLesson, folder);
+}
 void Interface::ask_save_picture() { state_->dialog.open(FileDialog::For::SavePicture); }
 void Interface::ask(Asked what, std::string title, std::string text, std::vector<std::string> choices) {
     state_->question.ask(what, std::move(title), std::move(text), std::move(choices));

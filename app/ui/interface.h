@@ -123,7 +123,7 @@ public:
     bool asks_for_file() const;
     void ask_no_more();
     void ask_save_scene();
-    void ask_save_lesson();
+    void ask_save_lesson(const std::filesystem::path& folder);  ///< empty: where one was last
     void ask_save_picture();
     /// Asks before anything else goes on; the answer is among the requests.
     void ask(Asked what, std::string title, std::string text, std::vector<std::string> choices);

@@ -132,7 +132,7 @@ void Viewer::keep(const std::vector<Work>& works) {
     kept_ = std::move(all);
 }
 
-void Viewer::ask_save() { document_.draft.lesson ? gui_.interface.ask_save_lesson() : gui_.interface.ask_save_scene(); }
+void Viewer::ask_save() { document_.draft.lesson ? ask_save_lesson() : gui_.interface.ask_save_scene(); }
 
 void Viewer::save() {
     std::error_code error;

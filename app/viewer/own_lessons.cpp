@@ -88,14 +88,25 @@ void Viewer::follow_draft() {
         lecture().leave(document_.scene);  // it was begun after this
 }
 
+void Viewer::ask_save_lesson() {
+    std::error_code error;
+    const bool has_file = std::filesystem::is_regular_file(document_.file(), error);
+    gui_.interface.ask_save_lesson(has_file || lesson_folders_.empty() ? std::filesystem::path()
+                                                                       : lesson_folders_.back());
+}
+
 void Viewer::save_lesson(const std::filesystem::path& file) {
+    if (std::error_code error; !lesson_folders_.empty() && file.parent_path() == lesson_folders_.back())
+        std::filesystem::create_directories(lesson_folders_.back(), error);  // writing says what is wrong
     normalscope::save_lesson(*document_.draft.lesson, file);
     document_.lesson_saved_as(file.string());
     watch_.begin(file, host_.now());
     note_file(file);
     host_.saved(file);
     list_lessons();
-    gui_.interface.show_done("Saved " + file.string());
+    std::string note = "Saved " + file.string();
+    if (const std::vector<std::string> open = gaps(*document_.draft.lesson); !open.empty()) note += "; " + open.front();
+    gui_.interface.show_done(note);
     if (std::exchange(closes_when_saved_, false)) close();
 }
 

@@ -317,7 +317,7 @@ void Viewer::obey(const Requests& requests) {
     if (requests.reply) obey(*requests.reply);
     if (requests.edit) write(*requests.edit);
     if (requests.writing) write(*requests.writing);
-    if (requests.save_lesson_as) gui_.interface.ask_save_lesson();
+    if (requests.save_lesson_as) ask_save_lesson();
     if (requests.list_lessons) list_lessons();
     if (requests.open) open(*requests.open);
     if (requests.open_mesh) open(*requests.open_mesh);

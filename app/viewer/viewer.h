@@ -185,6 +185,8 @@ private:
     /// To the open file, or to one that is asked for.
     void save();
     void ask_save();
+    /// A new lesson goes where Learn finds it.
+    void ask_save_lesson();
     void save_scene(const std::filesystem::path& file);
     void copy_command();
     void copy_link();

@@ -44,7 +44,7 @@ std::vector<fs::path> lesson_folders(const std::vector<std::string>& given) {
         folders.push_back(whole(folder));
     }
     const fs::path data = data_folder_of("normalscope");
-    if (!data.empty() && fs::is_directory(data / "lessons", ignored)) folders.push_back(data / "lessons");
+    if (!data.empty()) folders.push_back(data / "lessons");
     return folders;
 }
 

@@ -15,8 +15,8 @@ struct LessonShelf {
     std::vector<std::string> troubles{};  ///< a line for each file that should be a lesson, and cannot be read
 };
 
-/// The folders in which somebody keeps lessons of their own: these, and the one in the user's data folder, where there is
-/// one. Throws InputError for one of these that is none.
+/// The folders in which somebody keeps lessons of their own: these, and behind them the one in the user's data folder, which may
+/// not be there yet. Throws InputError for one of these that is none.
 std::vector<std::filesystem::path> lesson_folders(const std::vector<std::string>& given);
 
 /// The built-in lessons, and behind them those of the folders, by the names of their files. Scenes in them are passed over.

@@ -18,6 +18,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// What stands in a file for what nobody has written yet.
+constexpr const char *kAnyQuestion = "?", *kAnyAnswer = "…";
+
 LessonStep new_step(const Scene& scene) {
     LessonStep step;
     step.scene = scene;
@@ -36,9 +39,9 @@ Question whole(Question question) {
     const auto say = [](std::string& words, const char* at_least) {
         if (words.empty()) words = at_least;
     };
-    say(question.text, "?");
+    say(question.text, kAnyQuestion);
     question.choices.resize(std::max<std::size_t>(question.choices.size(), 2));
-    for (Choice& choice : question.choices) say(choice.text, "…");
+    for (Choice& choice : question.choices) say(choice.text, kAnyAnswer);
     if (std::ranges::none_of(question.choices, &Choice::right)) question.choices.front().right = true;
     return question;
 }
@@ -74,6 +77,13 @@ Json step_json(const LessonStep& step, const Scene& before, const Scene& here) {
     return json;
 }
 
+std::string gap_of(const Question& question) {
+    const auto open = [](const Choice& choice) { return choice.text.empty() || choice.text == kAnyAnswer; };
+    if (question.text.empty() || question.text == kAnyQuestion) return "asks a question that has no words yet";
+    if (question.choices.size() < 2) return "asks a question that needs two answers at least";
+    return std::ranges::any_of(question.choices, open) ? "has an answer without words" : "";
+}
+
 // A scene's work, or a mistyped name, is not lost to a lesson.
 void refuse_other_files(const std::filesystem::path& file) {
     std::error_code error;
@@ -104,6 +114,19 @@ Lesson without_step(Lesson lesson, std::size_t step) {
     const auto at = &lesson.steps.at(step) - lesson.steps.data();
     if (lesson.steps.size() > 1) lesson.steps.erase(lesson.steps.begin() + at);
     return lesson;
+}
+
+std::vector<std::string> gaps(const Lesson& lesson) {
+    std::vector<std::string> all;
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        const LessonStep& step = lesson.steps[i];
+        const auto say = [&](const std::string& what) {
+            if (!what.empty()) all.push_back("step " + std::to_string(i + 1) + " " + what);
+        };
+        say(step.caption.empty() ? "has no words yet" : "");
+        if (step.question) say(gap_of(*step.question));
+    }
+    return all;
 }
 
 std::string lesson_text(const Lesson& lesson, const std::filesystem::path& file) {

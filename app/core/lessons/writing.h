@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace normalscope {
 
@@ -25,6 +26,9 @@ Lesson with_step_after(Lesson lesson, std::size_t step, const Scene& scene);
 Lesson with_swapped(Lesson lesson, std::size_t one, std::size_t other);
 /// Throws std::out_of_range. The last step of all cannot be taken away.
 Lesson without_step(Lesson lesson, std::size_t step);
+
+/// What is still to be written, a line each, such as "step 4 has no words yet": a file has something in its place.
+std::vector<std::string> gaps(const Lesson& lesson);
 
 /// The text of the lesson's file, in which each step says what it changes. What the program does not edit is as it was.
 std::string lesson_text(const Lesson& lesson, const std::filesystem::path& file);

@@ -31,7 +31,7 @@ struct Purpose {
     std::string_view name;    ///< to begin with
 };
 constexpr std::array<Purpose, 5> kPurposes{{
-    {"Open a scene or a mesh", "Open", "", ""},
+    {"Open a scene, a lesson or a mesh", "Open", "", ""},
     {"Open a mesh", "Open", "", ""},
     {"Save the scene", "Save", ".json", "scene.json"},
     {"Save the lesson", "Save", ".json", "lesson.json"},
@@ -53,7 +53,7 @@ std::vector<std::string_view> endings(For purpose) {
 
 std::string filter(For purpose) {
     switch (purpose) {
-        case For::OpenAny: return "scenes and meshes (.json " + mesh_endings_in_words(" ", " ") + ")";
+        case For::OpenAny: return "scenes, lessons and meshes (.json " + mesh_endings_in_words(" ", " ") + ")";
         case For::OpenMesh: return "meshes (" + mesh_endings_in_words(" ", " ") + ")";
         case For::SaveScene: return "scenes (.json)";
         case For::SaveLesson: return "lessons (.json)";
@@ -76,7 +76,7 @@ void draw_name(const Look& look, ImVec2 at, const std::string& entry) {
 
 }  // namespace
 
-void FileDialog::open(For purpose) {
+void FileDialog::open(For purpose, const fs::path& proposed) {
     if (purpose != purpose_ || name_.empty()) name_ = about(purpose).name;
     purpose_ = purpose;
     open_ = appearing_ = focus_name_ = true;
@@ -84,7 +84,12 @@ void FileDialog::open(For purpose) {
     to_overwrite_.clear();
     recent_ = listed(recent_files_, endings(purpose));
     std::error_code error;
-    enter(folder_.path.empty() ? fs::current_path(error) : folder_.path);
+    if (proposed_.empty()) usual_ = folder_.path;
+    proposed_ = proposed;
+    if (!proposed.empty() && !fs::is_directory(proposed, error))
+        folder_ = {.path = proposed, .entries = {}, .error = {}};  // it comes with the file
+    else
+        enter(!proposed.empty() ? proposed : usual_.empty() ? fs::current_path(error) : usual_);
     if (purpose == For::SaveScene && !scene_file_.empty())
         name_ = shown(fs::proximate(scene_file_, folder_.path, error));
 }
@@ -131,7 +136,7 @@ void FileDialog::choose(Requests& requests) {
         return;
     }
     if (!file.has_extension()) file += about(purpose_).ending;
-    if (!fs::is_directory(file.parent_path(), error))
+    if (!fs::is_directory(file.parent_path(), error) && file.parent_path() != proposed_)
         complaint_ = shown(file.parent_path()) + ": no such folder";
     else if (fs::exists(file, error) && to_overwrite_ != file)
         to_overwrite_ = file;

@@ -16,7 +16,8 @@ public:
     enum class For { OpenAny, OpenMesh, SaveScene, SaveLesson, SavePicture };
 
     /// Shows it from the next frame on. What was typed is kept from the last time, and so is the folder.
-    void open(For purpose);
+    /// `proposed`: another folder for this time, which may not be there yet; empty: none.
+    void open(For purpose, const std::filesystem::path& proposed = {});
     /// The open scene's file, which saving the scene proposes; empty where it has none.
     void set_scene_file(const std::string& file) { scene_file_ = file; }
     /// The files that were opened or saved, the newest first.
@@ -51,6 +52,7 @@ private:
     bool listed_anew_ = false;   ///< some letters of its names may be missing
     bool recent_shown_ = false;  ///< in the folder's place
     Folder folder_, recent_;
+    std::filesystem::path usual_, proposed_;  ///< the folder where none is proposed, and the one that is
     std::vector<std::string> recent_files_;
     std::string scene_file_;
     std::string name_;  ///< typed: a name in the folder, or a path

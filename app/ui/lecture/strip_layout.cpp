@@ -75,12 +75,12 @@ float words_height(const Look& look, const Speech& speech, float width) {
     return height;
 }
 
-// Of what is new on it alone, or else of the last that stand there: this much it gets in any case.
+// Of what is new on it alone, or else of the last that stand there: this much it gets in any case. A question needs the room.
 float board_height(const Look& look, const Speech& speech, float width) {
     float height = 0.0f;
     for (const std::string& line : speech.equations)
         height += height_of(look, new_row(look, line, width, speech.stands_out));
-    if (!speech.equations.empty()) return height;
+    if (!speech.equations.empty() || speech.question) return height;
     const std::size_t kept = std::min(speech.earlier.size(), kMostEquations);
     for (const std::string& line : std::span(speech.earlier).last(kept))
         height += height_of(look, earlier_row(look, line, width));

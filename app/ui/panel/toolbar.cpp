@@ -78,7 +78,8 @@ void toolbar(Scene& scene, PanelMemory& memory, const PanelContext& context) {
         ImGui::SameLine(0, gap);
         return pressed;
     };
-    if (button("##open", {.icon = Icon::Open, .about = "Open a scene or a mesh… (Ctrl+O)", .side = kIconSide}))
+    if (button("##open",
+               {.icon = Icon::Open, .about = "Open a scene, a lesson or a mesh… (Ctrl+O)", .side = kIconSide}))
         context.dialog.open(FileDialog::For::OpenAny);
     if (button("##save",
                {.icon = Icon::Save,

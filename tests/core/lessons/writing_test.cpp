@@ -129,5 +129,20 @@ TEST_F(WritingTest, NothingElseIsWrittenOver) {
     EXPECT_FALSE(std::filesystem::exists(file("mine.json")));
 }
 
+TEST(WritingLessons, WhatIsStillToBeWrittenIsSaid) {
+    Lesson lesson = with_step_after(new_lesson({}), 0, {});
+    lesson.steps[0].caption = "a";
+    EXPECT_EQ(gaps(lesson), std::vector<std::string>{"step 2 has no words yet"});
+    lesson.steps[1].caption = "b";
+    EXPECT_TRUE(gaps(lesson).empty());
+    lesson.steps[1].question = Question{"Where to?", {{"up", true, ""}}};
+    EXPECT_EQ(gaps(lesson), std::vector<std::string>{"step 2 asks a question that needs two answers at least"});
+    // Also of what a file has in its place.
+    const Lesson saved = parse_lesson({lesson_text(lesson, "l.json"), "l.json", {}});
+    EXPECT_EQ(gaps(saved), std::vector<std::string>{"step 2 has an answer without words"});
+    lesson.steps[1].question = Question{"", {{"up", true, ""}, {"down", false, ""}}};
+    EXPECT_EQ(gaps(lesson), std::vector<std::string>{"step 2 asks a question that has no words yet"});
+}
+
 }  // namespace
 }  // namespace normalscope
