@@ -172,7 +172,7 @@ TEST_F(FilesTest, WhatCannotBeWrittenSaysWhy) {
 TEST_F(FilesTest, ASuccessTakesAnEarlierErrorAway) {
     start();
     answer_dialog(ImGuiKey_S, "/proc/x.json");
-    ASSERT_NE(message().find("/proc/x.json"), std::string::npos) << message();
+    ASSERT_NE(message().find("x.json: cannot be written"), std::string::npos) << message();
     answer_dialog(ImGuiKey_S, path("ok.json"));
     EXPECT_EQ(message(), "Saved " + path("ok.json"));
     open("nonsense.json");

@@ -83,7 +83,11 @@ export async function open(browser, url, { width = 960, height = 600, scale = 1,
     await page.setViewport({ width, height, deviceScaleFactor: scale, hasTouch: touch, isMobile: touch });
     // Files share their storage: what one test leaves unsaved would be offered to the next.
     if (url.startsWith("file:"))
-        await page.evaluateOnNewDocument(() => { if (!sessionStorage.begun) localStorage.clear(), sessionStorage.begun = 1; });
+        await page.evaluateOnNewDocument(() => {
+            try {
+                if (!sessionStorage.begun) localStorage.clear(), sessionStorage.begun = 1;
+            } catch { /* Firefox runs this in an empty page, too, which has no storage */ }
+        });
     await page.goto(url);
     await drawn(page);
     return { page, said };

@@ -121,11 +121,10 @@ void write_file(const std::filesystem::path& file, std::string_view bytes) {
     if (!std::filesystem::is_directory(folder, error))
         throw InputError(file.string(), "cannot be written: there is no folder " + folder.string());
     const bool is_there = std::filesystem::exists(status);
-    if (is_there) std::fclose(open_to_write(file, "r+b"));  // what is write-protected stays
     const auto [partial, stream] = open_partial(file, end);
     try {
         write_all(file, stream, bytes);
-        if (is_there) std::filesystem::permissions(partial, status.permissions(), error);  // what is private, too
+        if (is_there) std::filesystem::permissions(partial, status.permissions(), error);  // private stays private
         replace_file(partial, end);
     } catch (const std::system_error& e) {
         std::filesystem::remove(partial, error);

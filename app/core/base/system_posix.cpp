@@ -27,6 +27,7 @@
 #include <cwctype>
 #include <memory>
 #include <string_view>
+#include <system_error>
 
 namespace normalscope {
 
@@ -78,6 +79,8 @@ std::FILE* open_file(const std::filesystem::path& file, const char* mode) { retu
 std::FILE* create_file(const std::filesystem::path& file) { return std::fopen(file.c_str(), "wbx"); }
 
 void replace_file(const std::filesystem::path& from, const std::filesystem::path& to) {
+    // Whoever owns the folder could replace what is write-protected, as Windows never does.
+    if (::access(to.c_str(), W_OK) != 0 && errno != ENOENT) throw std::system_error(errno, std::generic_category());
     std::filesystem::rename(from, to);
 }
 
