@@ -69,16 +69,21 @@ test("fingers: one orbits, two pinch, a tap picks; the keyboard comes for a fiel
     await drawn(page);
     const turned = await scene(page);
     assert.notEqual(turned.camera.azimuth, before.camera.azimuth);
-    const [a, b] = [await page.touchscreen.touchStart(150, 200), await page.touchscreen.touchStart(240, 200)];
-    await a.move(120, 200);
-    await b.move(290, 200);
-    await a.end();
-    await b.end();
-    await drawn(page);
+    await pinch(page, [150, 200], [120, 200], [240, 200], [290, 200]);
     assert.ok((await scene(page)).camera.zoom > turned.camera.zoom);
     assert.deepEqual(said, []);
     await page.close();
 });
+
+// Two fingers, each from one place to another.
+async function pinch(page, fromA, toA, fromB, toB) {
+    const [a, b] = [await page.touchscreen.touchStart(...fromA), await page.touchscreen.touchStart(...fromB)];
+    await a.move(...toA);
+    await b.move(...toB);
+    await a.end();
+    await b.end();
+    await drawn(page);
+}
 
 // One finger from place to place, as slowly as a hand.
 async function swipe(page, [x, y], ...way) {
@@ -119,12 +124,7 @@ test("in the drawer a finger moves a slider sideways, and the controls up and do
 test("the probe stays where it is under the first of two fingers", async () => {
     const { page } = await open(browser, fileUrl, { width: 390, height: 844, scale: 2, touch: true });
     const { probe, camera } = await scene(page);
-    const [a, b] = [await page.touchscreen.touchStart(185, 500), await page.touchscreen.touchStart(260, 400)];
-    await a.move(165, 520);
-    await b.move(290, 370);
-    await a.end();
-    await b.end();
-    await drawn(page);
+    await pinch(page, [185, 500], [165, 520], [260, 400], [290, 370]);
     assert.ok((await scene(page)).camera.zoom > (camera.zoom ?? 0));
     assert.deepEqual((await scene(page)).probe, probe);
     await swipe(page, [185, 430]);

@@ -136,7 +136,8 @@ std::array<T, 3> reverse(const Program& program, std::span<const T> values, std:
             continue;
         }
         const T &a = values[i.a], &b = values[i.b];
-        const T before_a = d[i.a], before_b = d[i.b], before_c = d[i.c];
+        std::array<T, 3> before;  // of use where some steps are left out alone: this is a hot loop
+        if (!taken.empty()) before = {d[i.a], d[i.b], d[i.c]};
         const bool left = program[i.a].varies, right = program[i.b].varies;
         switch (i.code) {
             case Code::Add:
@@ -195,9 +196,9 @@ std::array<T, 3> reverse(const Program& program, std::span<const T> values, std:
             default: break;
         }
         if (taken.empty()) continue;
-        d[i.a] = slope_where(d[i.a], taken[k], before_a);
-        d[i.b] = slope_where(d[i.b], taken[k], before_b);
-        d[i.c] = slope_where(d[i.c], taken[k], before_c);
+        d[i.a] = slope_where(d[i.a], taken[k], before[0]);
+        d[i.b] = slope_where(d[i.b], taken[k], before[1]);
+        d[i.c] = slope_where(d[i.c], taken[k], before[2]);
     }
     return gradient;
 }

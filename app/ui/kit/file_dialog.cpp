@@ -219,7 +219,7 @@ void FileDialog::title(const Look& look) {
         recent_shown_ = !recent_shown_;
         listed_anew_ = focus_name_ = true;
     }
-    tip(look, recent_shown_ ? "Back to the folder" : "The files that were opened or saved last");
+    tip(look, recent_shown_ ? "Back to the folder" : "Files that were opened or saved recently");
 }
 
 void FileDialog::name_field(Requests& requests) {

@@ -69,7 +69,7 @@ void histogram_plot(const Look& look, const ErrorHistogram& histogram, const std
              "Averaged over the object's surface, by area.");
     ImGui::SameLine(0, look.px(18));
     line_key(look, Plot::Line::Solid, look.bad, "worst " + in_degrees(worst, 2),
-             "The largest at any normal of the mesh.");
+             "The largest over all the normals of the mesh.");
     if (bound) {
         ImGui::SameLine(0, look.px(18));
         line_key(look, Plot::Line::Dotted, look.text, "bound " + in_degrees(bound, 2),
