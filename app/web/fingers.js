@@ -18,7 +18,12 @@ function begin(at) {
     point(at);
     settleOnce();
     hand = { does: "nothing yet", from: at, at, onControl: call("on_control", "number", [], []) };
-    if (hand.onControl) hand.rest = setTimeout(press, rests);
+    if (hand.onControl) hand.rest = setTimeout(rest, rests);
+}
+// Where drawing took longer than that, the finger may have moved long since: a frame begins with all that it did.
+function rest() {
+    const held = hand;
+    requestAnimationFrame(() => { if (hand === held && held.does === "nothing yet") press(); });
 }
 // What is under a finger is known only after a round with the pointer there.
 function settleOnce() {

@@ -62,11 +62,7 @@ test("the browser's own shortcuts are held back where the program has them", asy
 test("fingers: one orbits, two pinch, a tap picks; the keyboard comes for a field", async () => {
     const { page, said } = await open(browser, fileUrl + "#implicit-torus", { width: 390, height: 844, scale: 2, touch: true });
     const before = await scene(page);
-    const finger = await page.touchscreen.touchStart(60, 160);
-    await finger.move(120, 190);
-    await finger.move(160, 200);
-    await finger.end();
-    await drawn(page);
+    await swipe(page, [60, 160], [120, 190], [160, 200]);
     const turned = await scene(page);
     assert.notEqual(turned.camera.azimuth, before.camera.azimuth);
     await pinch(page, [150, 200], [120, 200], [240, 200], [290, 200]);
@@ -75,26 +71,24 @@ test("fingers: one orbits, two pinch, a tap picks; the keyboard comes for a fiel
     await page.close();
 });
 
-// Two fingers, each from one place to another.
-async function pinch(page, fromA, toA, fromB, toB) {
-    const [a, b] = [await page.touchscreen.touchStart(...fromA), await page.touchscreen.touchStart(...fromB)];
-    await a.move(...toA);
-    await b.move(...toB);
-    await a.end();
-    await b.end();
-    await drawn(page);
-}
-
-// One finger from place to place, as slowly as a hand.
-async function swipe(page, [x, y], ...way) {
-    const finger = await page.touchscreen.touchStart(x, y);
-    for (const [toX, toY] of way) {
+// Fingers, each a list of places. They do not wait for the page: one that rests on a control holds it.
+async function touch(page, ...fingers) {
+    const session = await page.createCDPSession();
+    const sent = [];
+    const send = (type, at) => sent.push(session.send("Input.dispatchTouchEvent", {
+        type, touchPoints: at === undefined ? [] : fingers.map((places, id) => ({ id, x: places[at][0], y: places[at][1] })),
+    }));
+    for (const at of fingers[0].keys()) {
+        send(at === 0 ? "touchStart" : "touchMove", at);
         await new Promise((done) => setTimeout(done, 30));
-        await finger.move(toX, toY);
     }
-    await finger.end();
+    send("touchEnd");
+    await Promise.all(sent);
+    await session.detach();
     await drawn(page);
 }
+const swipe = (page, ...places) => touch(page, places);
+const pinch = (page, fromA, toA, fromB, toB) => touch(page, [fromA, toA], [fromB, toB]);
 
 test("a finger scrolls a lesson's words, and presses no answer on which it began", async () => {
     const { page, said } = await open(browser, fileUrl + "#1-normal-as-a-point/3", { width: 844, height: 390, scale: 2, touch: true });
