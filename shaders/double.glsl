@@ -53,7 +53,5 @@ double atan(double y, double x) {
     if (abs(x) >= abs(y)) return atan(y / x) + (x > 0.0lf ? 0.0lf : y < 0.0lf ? -3.14159265358979324lf : 3.14159265358979324lf);
     return (y < 0.0lf ? -1.57079632679489662lf : 1.57079632679489662lf) - atan(x / y);
 }
-double asin(double x) { return atan(x, sqrt(max((1.0lf - x) * (1.0lf + x), 0.0lf))); }
-double acos(double x) { return 1.57079632679489662lf - asin(x); }
 
 #endif

@@ -44,8 +44,10 @@ inline std::string random_formula(Random& random, const Grammar& g, int depth) {
         case 8: return "(" + inner() + ")/(" + inner() + " + 3)";
         case 9: return "sqrt(" + inner() + ")";
         case 10: {
-            constexpr std::array<const char*, 8> kNames{"exp", "log", "sin", "cos", "tan", "asin", "acos", "atan"};
-            return kNames[static_cast<std::size_t>(random.below(8))] + ("(" + inner()) + ")";
+            constexpr std::array kNames{"exp",  "log",  "sin",  "cos",  "tan",   "asin",  "acos",
+                                        "atan", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh"};
+            return kNames[static_cast<std::size_t>(random.below(static_cast<int>(kNames.size())))] + ("(" + inner()) +
+                   ")";
         }
         case 11: {
             constexpr std::array<const char*, 6> kNames{"ln", "log10", "log2", "cbrt", "hypot", "pow"};

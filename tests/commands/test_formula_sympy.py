@@ -52,7 +52,8 @@ LOCALS = {
     "min": least, "max": lambda a, b: -least(-a, -b), **dict(zip("xyz", SYMBOLS)),
 }
 # As complex functions, so that what has no real value shows as a complex one and not as an exception.
-FUNCTIONS = {name: getattr(cmath, name) for name in "sqrt exp log sin cos tan asin acos atan".split()}
+FUNCTIONS = {name: getattr(cmath, name) for name in
+             "sqrt exp log sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh".split()}
 FUNCTIONS |= {
     "Sign": lambda u: (real_part(u) > 0) - (real_part(u) < 0), "Floor": lambda u: math.floor(real_part(u)),
     "Absolute": lambda u: abs(real_part(u)), "atan2": lambda v, u: math.atan2(real_part(v), real_part(u)),

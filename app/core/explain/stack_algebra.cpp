@@ -109,14 +109,8 @@ bool commute(std::span<const StackEntry> stack) {
 std::vector<OrderOfInverses> orders_of_inverses(std::span<const StackEntry> stack, const Transform<World, Object>& m,
                                                 const std::optional<Probe>& probe) {
     const int factors = static_cast<int>(stack.size());
-    std::optional<glm::dmat3> right(glm::dmat3(1.0)), reversed(glm::dmat3(1.0));
-    for (const StackEntry& entry : stack) {
-        const NormalMatrices matrices = normal_matrices(glm::dmat3(matrix(entry)), rank(entry));
-        if (!matrices.inverse_transpose) right = reversed = std::nullopt;
-        if (!right) continue;
-        right = *matrices.inverse_transpose * *right;
-        reversed = *reversed * *matrices.inverse_transpose;
-    }
+    const auto right = composite_of_inverse_transposes(stack),
+               reversed = reversed_composite_of_inverse_transposes(stack);
     const glm::dmat3 m3(product(stack));
     const auto truth = normal_matrices(m3, known_rank(stack)).inverse_transpose;
     const auto true_normal = probe ? m(probe->point, probe->normal) : std::nullopt;

@@ -12,6 +12,9 @@ Id outer_derivative(Graph& g, Op function, Id node, Id u) {
     const auto root_of_one_minus_square = [&] {
         return g.power(g.subtract(one, g.power(u, g.number(2))), g.number(Number::ratio(-1, 2)));
     };
+    const auto root_of_square_plus = [&](int constant) {
+        return g.power(g.add({g.power(u, g.number(2)), g.number(constant)}), g.number(Number::ratio(-1, 2)));
+    };
     switch (function) {
         case Op::Log: return g.power(u, g.number(-1));
         case Op::Sin: return g.apply(Op::Cos, {u});
@@ -20,6 +23,12 @@ Id outer_derivative(Graph& g, Op function, Id node, Id u) {
         case Op::Asin: return root_of_one_minus_square();
         case Op::Acos: return g.negate(root_of_one_minus_square());
         case Op::Atan: return g.power(g.add({one, g.power(u, g.number(2))}), g.number(-1));
+        case Op::Sinh: return g.apply(Op::Cosh, {u});
+        case Op::Cosh: return g.apply(Op::Sinh, {u});
+        case Op::Tanh: return g.power(g.apply(Op::Cosh, {u}), minus_two);
+        case Op::Asinh: return root_of_square_plus(1);
+        case Op::Acosh: return root_of_square_plus(-1);
+        case Op::Atanh: return g.power(g.subtract(one, g.power(u, g.number(2))), g.number(-1));
         case Op::Abs: return g.apply(Op::Sign, {u});
         default: return node == u ? one : g.number(0);  // sign and floor: flat wherever they have a derivative
     }

@@ -36,25 +36,6 @@ Id logarithm(Graph& g, Args args) {
 Id exp(Graph& g, Id u) { return g.power(g.euler(), u); }
 Id half(Graph& g) { return g.number(Number::ratio(1, 2)); }
 
-// By exponentials and logarithms, which have derivatives and bounds already.
-Id sinh(Graph& g, Args u) { return g.multiply({half(g), g.subtract(exp(g, u[0]), exp(g, g.negate(u[0])))}); }
-Id cosh(Graph& g, Args u) { return g.multiply({half(g), g.add({exp(g, u[0]), exp(g, g.negate(u[0]))})}); }
-// 1 − 2/(e^(2u) + 1): where e^(2u) overflows it is still 1, also where u is a constant.
-Id tanh(Graph& g, Args u) {
-    const Id sum = g.add({exp(g, g.multiply({g.number(2), u[0]})), g.number(1)});
-    if (g.is_undefined(sum)) return g.number(1);
-    return g.subtract(g.number(1), g.divide(g.number(2), sum));
-}
-template <int constant>  // of the square under the root
-Id area_function(Graph& g, Args u) {
-    const Id root = g.sqrt(g.add({g.power(u[0], g.number(2)), g.number(constant)}));
-    return g.apply(Op::Log, {g.add({u[0], root})});
-}
-Id atanh(Graph& g, Args u) {
-    const Id one = g.number(1);
-    return g.multiply({half(g), g.apply(Op::Log, {g.divide(g.add({one, u[0]}), g.subtract(one, u[0]))})});
-}
-
 Id hypot(Graph& g, Args args) {
     std::vector<Id> squares;
     for (const Id a : args) squares.push_back(g.power(a, g.number(2)));
@@ -93,12 +74,12 @@ constexpr std::array kFunctions{
     Function{"arccos", 1, 1, of<Op::Acos>},
     Function{"arctan", 1, 1, of<Op::Atan>},
     Function{"atan2", 2, 2, of<Op::Atan2>},
-    Function{"sinh", 1, 1, sinh},
-    Function{"cosh", 1, 1, cosh},
-    Function{"tanh", 1, 1, tanh},
-    Function{"asinh", 1, 1, area_function<1>},
-    Function{"acosh", 1, 1, area_function<-1>},
-    Function{"atanh", 1, 1, atanh},
+    Function{"sinh", 1, 1, of<Op::Sinh>},
+    Function{"cosh", 1, 1, of<Op::Cosh>},
+    Function{"tanh", 1, 1, of<Op::Tanh>},
+    Function{"asinh", 1, 1, of<Op::Asinh>},
+    Function{"acosh", 1, 1, of<Op::Acosh>},
+    Function{"atanh", 1, 1, of<Op::Atanh>},
     Function{"hypot", 2, kAny, hypot},
     Function{"abs", 1, 1, of<Op::Abs>},
     Function{"sign", 1, 1, of<Op::Sign>},

@@ -118,6 +118,12 @@ double Graph::constant_value(Op op, std::span<const Id> args) const {
         case Op::Asin: return std::asin(value(0));
         case Op::Acos: return std::acos(value(0));
         case Op::Atan: return std::atan(value(0));
+        case Op::Sinh: return std::sinh(value(0));
+        case Op::Cosh: return std::cosh(value(0));
+        case Op::Tanh: return std::tanh(value(0));
+        case Op::Asinh: return std::asinh(value(0));
+        case Op::Acosh: return std::acosh(value(0));
+        case Op::Atanh: return std::atanh(value(0));
         case Op::Abs: return std::abs(value(0));
         case Op::Sign: return real::sign(value(0));
         case Op::Floor: return std::floor(value(0));
@@ -183,6 +189,12 @@ std::string_view function_name(Op op) {
         case Op::Asin: return "asin";
         case Op::Acos: return "acos";
         case Op::Atan: return "atan";
+        case Op::Sinh: return "sinh";
+        case Op::Cosh: return "cosh";
+        case Op::Tanh: return "tanh";
+        case Op::Asinh: return "asinh";
+        case Op::Acosh: return "acosh";
+        case Op::Atanh: return "atanh";
         case Op::Abs: return "abs";
         case Op::Sign: return "sign";
         case Op::Floor: return "floor";

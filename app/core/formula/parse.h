@@ -15,7 +15,7 @@ namespace normalscope::formulas {
 ///     sin(x)  sin 2x      without brackets a function takes the numbers and letters that follow, with their powers, up
 ///                         to an operator, a function or a bracket: sin 2x cos y is sin(2x)·cos(y)
 ///     sin^2 x             is (sin x)^2
-///     sinh … atanh cot    and many more (functions.cpp) are read as what they are made of; arcsin is asin, ln is log
+///     cot sec log2 hypot  and more (functions.cpp) are read as what they are made of; arcsin is asin, ln is log
 ///     [ ] { }             are brackets, too, of whatever kind the other one is
 ///     pi π e              e is Euler's number, so it is none of the parameters a b c d f g h
 ///     2e3                 is 2000, but 2e x is 2·e·x

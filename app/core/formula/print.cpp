@@ -90,6 +90,7 @@ std::string latex_name(const std::string& text) {
 
 std::string latex_function(const std::string& text) {
     if (text == "asin" || text == "acos" || text == "atan") return "\\arc" + text.substr(1);
+    if (text == "asinh" || text == "acosh" || text == "atanh") return "\\operatorname{ar" + text.substr(1) + "}";
     if (text == "floor" || text == "atan2") return "\\operatorname{" + text + "}";
     return text == "sign" ? "\\operatorname{sgn}" : "\\" + text;
 }

@@ -231,8 +231,14 @@ Id Graph::folded(Op function, std::span<const Id> given) {
             return number(kSines[static_cast<std::size_t>(quarter) + (function == Op::Cos ? 1 : 0)]);
         }
         case Op::Asin:
-        case Op::Atan: return zero ? a : kNone;
-        case Op::Acos: return is_number(a) && nodes_[a].number.one() ? number(0) : kNone;
+        case Op::Atan:
+        case Op::Sinh:
+        case Op::Tanh:
+        case Op::Asinh:
+        case Op::Atanh: return zero ? a : kNone;
+        case Op::Cosh: return zero ? number(1) : kNone;
+        case Op::Acos:
+        case Op::Acosh: return is_number(a) && nodes_[a].number.one() ? number(0) : kNone;
         case Op::Abs:
             if (is_number(a)) return nodes_[a].number.negative() ? negate(a) : a;
             if (op == Op::Abs) return a;
@@ -266,17 +272,22 @@ Id Graph::apply(Op function, std::span<const Id> given) {
     if (std::ranges::any_of(operands, [&](Id a) { return is_undefined(a); })) return undefined();
     if (const Id value = folded(function, operands); value != kNone) return value;
 
-    // sin(−u) = −sin(u), cos(−u) = cos(u)
+    // sin(−u) = −sin(u), cos(−u) = cos(u), and so on
     const Number sign =
         is_number(operands[0]) ? nodes_[operands[0]].number : split_coefficient(operands[0]).coefficient;
     if (sign.negative()) {
         switch (function) {
             case Op::Cos:
+            case Op::Cosh:
             case Op::Abs: return apply(function, {negate(operands[0])});
             case Op::Sin:
             case Op::Tan:
             case Op::Asin:
             case Op::Atan:
+            case Op::Sinh:
+            case Op::Tanh:
+            case Op::Asinh:
+            case Op::Atanh:
             case Op::Sign: return negate(apply(function, {negate(operands[0])}));
             default: break;
         }

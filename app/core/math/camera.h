@@ -41,7 +41,6 @@ class CameraView {
 public:
     CameraView(const Camera& camera, glm::dvec2 size);
 
-    const glm::dmat4& view_from_world() const { return view_from_world_; }
     const glm::dmat4& clip_from_world() const { return clip_from_world_; }
     /// The same with everything further from the eye by this share of its distance, for the depth buffer alone: nothing
     /// moves in the picture.

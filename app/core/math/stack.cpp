@@ -116,4 +116,8 @@ std::optional<glm::dmat3> composite_of_inverse_transposes(std::span<const StackE
     return composite;
 }
 
+std::optional<glm::dmat3> reversed_composite_of_inverse_transposes(std::span<const StackEntry> stack) {
+    return composite_of_inverse_transposes(std::vector<StackEntry>(stack.rbegin(), stack.rend()));
+}
+
 }  // namespace normalscope

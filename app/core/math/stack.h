@@ -57,5 +57,7 @@ glm::dmat4 product(std::span<const StackEntry> stack);
 /// (M3⁻¹)ᵀ accumulated from the single entries' inverse transposes in the original order,
 /// ((R S)⁻¹)ᵀ = (R⁻¹)ᵀ (S⁻¹)ᵀ, so that no composite is ever inverted. Empty if any entry has no inverse.
 std::optional<glm::dmat3> composite_of_inverse_transposes(std::span<const StackEntry> stack);
+/// The same in the reverse order, as of one who takes A⁻¹ B⁻¹ for (AB)⁻¹: a mistake, unless they commute.
+std::optional<glm::dmat3> reversed_composite_of_inverse_transposes(std::span<const StackEntry> stack);
 
 }  // namespace normalscope

@@ -50,6 +50,12 @@ Lanes tan(const Lanes& a) { return NORMALSCOPE_EACH(std::tan(a.v[k])); }
 Lanes asin(const Lanes& a) { return NORMALSCOPE_EACH(std::asin(a.v[k])); }
 Lanes acos(const Lanes& a) { return NORMALSCOPE_EACH(std::acos(a.v[k])); }
 Lanes atan(const Lanes& a) { return NORMALSCOPE_EACH(std::atan(a.v[k])); }
+Lanes sinh(const Lanes& a) { return NORMALSCOPE_EACH(std::sinh(a.v[k])); }
+Lanes cosh(const Lanes& a) { return NORMALSCOPE_EACH(std::cosh(a.v[k])); }
+Lanes tanh(const Lanes& a) { return NORMALSCOPE_EACH(std::tanh(a.v[k])); }
+Lanes asinh(const Lanes& a) { return NORMALSCOPE_EACH(std::asinh(a.v[k])); }
+Lanes acosh(const Lanes& a) { return NORMALSCOPE_EACH(std::acosh(a.v[k])); }
+Lanes atanh(const Lanes& a) { return NORMALSCOPE_EACH(std::atanh(a.v[k])); }
 Lanes abs(const Lanes& a) { return NORMALSCOPE_EACH(std::abs(a.v[k])); }
 Lanes sign(const Lanes& a) { return NORMALSCOPE_EACH(real::sign(a.v[k])); }
 Lanes floor(const Lanes& a) { return NORMALSCOPE_EACH(std::floor(a.v[k])); }

@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <ranges>
 
 namespace normalscope::formulas {
 
@@ -23,7 +24,7 @@ constexpr std::string_view kDouble =
     "660.0lf\n#define LEAST 2.3e-308lf\n"
     "#define LARGEST 1e300lf\n"
     "double exp(double x);\ndouble log(double x);\ndouble pow(double b, double e);\ndouble sin(double x);\n"
-    "double cos(double x);\ndouble tan(double x);\ndouble asin(double x);\ndouble acos(double x);\n"
+    "double cos(double x);\ndouble tan(double x);\n"
     "double atan(double x);\ndouble atan(double y, double x);\n";
 
 // sin(x − kπ) for k near x/π: to 24 bits or nearly so, as drivers' own sines are, in half the steps, since all rays of a picture
@@ -35,11 +36,12 @@ constexpr std::string_view kHalfTurns =
     "}\n";
 
 // What GLSL has not, or leaves undefined outside a domain: there these give something finite, and is_defined says no.
+// One may use those before it.
 struct Helper {
-    std::string_view needed_by, source;
+    std::string_view name, source;
 };
 constexpr std::array kHelpers{
-    Helper{"wave_", kHalfTurns},
+    Helper{"half_turns", kHalfTurns},
     Helper{"wave_sin",
            "float wave_sin(float x) {\n"
            "    float k = floor(x * 0.318309886 + 0.5), s = half_turns(x, k);\n"
@@ -59,7 +61,29 @@ constexpr std::array kHelpers{
            "    return b < 0.0 && mod(e, 2.0) == 1.0 ? -s : s;\n"
            "}\n"},
     Helper{"angle_of", "REAL angle_of(REAL y, REAL x) { return x == 0.0 && y == 0.0 ? REAL(0.0) : atan(y, x); }\n"},
+    // √(1 − v²): drivers' own arcsines are right to four digits only.
+    Helper{"leg", "REAL leg(REAL v) { return sqrt(max((1.0 - v) * (1.0 + v), 0.0)); }\n"},
     Helper{"safe_exp", "REAL safe_exp(REAL v) { return max(exp(min(v, MOST_EXPONENT)), LEAST); }\n"},
+    Helper{"sinh_of", "REAL sinh_of(REAL v) { return 0.5 * (safe_exp(v) - safe_exp(-v)); }\n"},
+    Helper{"cosh_of", "REAL cosh_of(REAL v) { return 0.5 * (safe_exp(v) + safe_exp(-v)); }\n"},
+    Helper{"tanh_of",
+           "REAL tanh_of(REAL v) {\n"
+           "    REAL e = safe_exp(-2.0 * abs(v));\n"
+           "    return sign(v) * (1.0 - e) / (1.0 + e);\n"
+           "}\n"},
+    Helper{"sech_of",
+           "REAL sech_of(REAL v) {\n"
+           "    REAL e = safe_exp(-abs(v));\n"
+           "    return 2.0 * e / (1.0 + e * e);\n"
+           "}\n"},
+    // arsinh and arcosh, and their slope. Beyond 10⁸ the 1 is lost in the square, which may be too large for a number.
+    Helper{
+        "area_of",
+        "REAL area_of(REAL v, REAL one) { return v > 1e8 ? log(v) + log(REAL(2.0)) : log(v + sqrt(v * v + one)); }\n"},
+    Helper{"area_slope",
+           "REAL area_slope(REAL v, REAL one) {\n"
+           "    return v > 1e8 ? 1.0 / v : 1.0 / sqrt(max(v * v + one, TINY));\n"
+           "}\n"},
 };
 
 constexpr double kMostFactors = 16.0;  // longer powers are left to pow()
@@ -96,9 +120,11 @@ public:
         for (std::uint32_t k = 0; k < program_.size(); ++k) defined_[k] = defined(k);
         const std::string defined = defined_.back();
         result.defined_everywhere = defined.empty();
-        for (const Helper& h : kHelpers)
-            if ((gradient_body + gradient + value).find(h.needed_by) != std::string::npos) result.source += h.source;
-        result.source = std::string(precision_ == Precision::Double ? kDouble : kSingle) + uniforms_ + result.source +
+        std::string helpers;
+        for (const Helper& h : kHelpers | std::views::reverse)
+            if ((helpers + gradient_body + gradient + value).find(h.name) != std::string::npos)
+                helpers.insert(0, h.source);
+        result.source = std::string(precision_ == Precision::Double ? kDouble : kSingle) + uniforms_ + helpers +
                         "REAL f(REAL3 p) {\n" + forward_body + "    return " + value + ";\n}\n" +
                         "REAL3 gradient(REAL3 p) {\n" + gradient_body + "    return " + gradient + ";\n}\n" +
                         "bool is_defined(REAL3 p) {\n" + (defined.empty() ? "" : forward_body + body_) + "    return " +
@@ -169,9 +195,15 @@ private:
             case Code::Sin: return temporary(wave("sin", a));
             case Code::Cos: return temporary(wave("cos", a));
             case Code::Tan: return call("tan");
-            case Code::Asin: return temporary("asin(clamp(" + a + ", -1.0, 1.0))");
-            case Code::Acos: return temporary("acos(clamp(" + a + ", -1.0, 1.0))");
+            case Code::Asin: return temporary("atan(" + a + ", leg(" + a + "))");
+            case Code::Acos: return temporary("atan(leg(" + a + "), " + a + ")");
             case Code::Atan: return call("atan");
+            case Code::Sinh: return call("sinh_of");
+            case Code::Cosh: return call("cosh_of");
+            case Code::Tanh: return call("tanh_of");
+            case Code::Asinh: return temporary("sign(" + a + ") * area_of(abs(" + a + "), REAL(1.0))");
+            case Code::Acosh: return temporary("area_of(max(" + a + ", 1.0), REAL(-1.0))");
+            case Code::Atanh: return temporary("0.5 * log(max((1.0 + " + a + ") / nonzero(1.0 - " + a + "), TINY))");
             case Code::Abs: return call("abs");
             case Code::Sign: return call("sign");
             case Code::Floor: return call("floor");
@@ -203,6 +235,8 @@ private:
             case Code::Atan2: return "(" + a + " != 0.0 || " + b + " != 0.0)";
             case Code::Asin:
             case Code::Acos: return "abs(" + a + ") <= 1.0";
+            case Code::Acosh: return a + " >= 1.0";
+            case Code::Atanh: return "abs(" + a + ") < 1.0";
             default: return {};
         }
     }
@@ -311,6 +345,16 @@ private:
             case Code::Asin: contribute(i.a, w + " / sqrt(max(1.0 - " + a + " * " + a + ", TINY))"); break;
             case Code::Acos: contribute(i.a, minus(w + " / sqrt(max(1.0 - " + a + " * " + a + ", TINY))")); break;
             case Code::Atan: contribute(i.a, w + " / (1.0 + " + a + " * " + a + ")"); break;
+            case Code::Sinh: contribute(i.a, times(w, "cosh_of(" + a + ")")); break;
+            case Code::Cosh: contribute(i.a, times(w, "sinh_of(" + a + ")")); break;
+            case Code::Tanh: {
+                const std::string sech = temporary("sech_of(" + a + ")");
+                contribute(i.a, times(w, sech + " * " + sech));
+                break;
+            }
+            case Code::Asinh: contribute(i.a, times(w, "area_slope(abs(" + a + "), REAL(1.0))")); break;
+            case Code::Acosh: contribute(i.a, times(w, "area_slope(" + a + ", REAL(-1.0))")); break;
+            case Code::Atanh: contribute(i.a, w + " / nonzero(1.0 - " + a + " * " + a + ")"); break;
             case Code::Abs: contribute(i.a, times(w, "sign(" + a + ")")); break;
             case Code::Min:
             case Code::Max: {

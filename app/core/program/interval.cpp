@@ -155,6 +155,29 @@ Interval atan(const Interval& a) {
     return rising(a, [](double v) { return std::atan(v); });
 }
 
+Interval sinh(const Interval& a) {
+    return rising(a, [](double v) { return std::sinh(v); });
+}
+Interval cosh(const Interval& a) {
+    const Interval wide = rising(abs(a), [](double v) { return std::cosh(v); });
+    return {wide.defined == Defined::Nowhere ? wide.low : std::max(wide.low, 1.0), wide.high, wide.defined};
+}
+Interval tanh(const Interval& a) {
+    return rising(a, [](double v) { return std::tanh(v); });
+}
+Interval asinh(const Interval& a) {
+    return rising(a, [](double v) { return std::asinh(v); });
+}
+Interval acosh(const Interval& a) {
+    return rising(clipped(a, 1.0, kInfinity), [](double v) { return std::acosh(v); });
+}
+Interval atanh(const Interval& a) {
+    Interval inside = clipped(a, -1.0, 1.0);
+    if (inside.defined == Defined::Nowhere || a.high == -1.0 || a.low == 1.0) return nowhere();
+    if (a.low <= -1.0 || a.high >= 1.0) inside.defined = Defined::Somewhere;
+    return rising(inside, [](double v) { return std::atanh(v); });
+}
+
 Interval abs(const Interval& a) {
     if (a.low >= 0.0) return a;
     if (a.high <= 0.0) return -a;

@@ -36,6 +36,12 @@ Single tan(Single a) { return Single(std::tan(a.v)); }
 Single asin(Single a) { return Single(std::asin(a.v)); }
 Single acos(Single a) { return Single(std::acos(a.v)); }
 Single atan(Single a) { return Single(std::atan(a.v)); }
+Single sinh(Single a) { return Single(std::sinh(a.v)); }
+Single cosh(Single a) { return Single(std::cosh(a.v)); }
+Single tanh(Single a) { return Single(std::tanh(a.v)); }
+Single asinh(Single a) { return Single(std::asinh(a.v)); }
+Single acosh(Single a) { return Single(std::acosh(a.v)); }
+Single atanh(Single a) { return Single(std::atanh(a.v)); }
 Single atan2(Single a, Single b) { return Single(real::atan2(a.v, b.v)); }
 Single abs(Single a) { return Single(std::abs(a.v)); }
 Single sign(Single a) { return Single(real::sign(a.v)); }

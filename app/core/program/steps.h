@@ -24,6 +24,12 @@ inline double tan(double v) { return std::tan(v); }
 inline double asin(double v) { return std::asin(v); }
 inline double acos(double v) { return std::acos(v); }
 inline double atan(double v) { return std::atan(v); }
+inline double sinh(double v) { return std::sinh(v); }
+inline double cosh(double v) { return std::cosh(v); }
+inline double tanh(double v) { return std::tanh(v); }
+inline double asinh(double v) { return std::asinh(v); }
+inline double acosh(double v) { return std::acosh(v); }
+inline double atanh(double v) { return std::atanh(v); }
 inline double abs(double v) { return std::abs(v); }
 inline double floor(double v) { return std::floor(v); }
 inline double sqrt(double v) { return std::sqrt(v); }
@@ -59,6 +65,12 @@ T result(const Instruction& i, const T& a, const T& b, const T& c) {
         case Code::Asin: return asin(a);
         case Code::Acos: return acos(a);
         case Code::Atan: return atan(a);
+        case Code::Sinh: return sinh(a);
+        case Code::Cosh: return cosh(a);
+        case Code::Tanh: return tanh(a);
+        case Code::Asinh: return asinh(a);
+        case Code::Acosh: return acosh(a);
+        case Code::Atanh: return atanh(a);
         case Code::Abs: return abs(a);
         case Code::Sign: return sign(a);
         case Code::Floor: return floor(a);
@@ -174,6 +186,12 @@ std::array<T, 3> reverse(const Program& program, std::span<const T> values, std:
             case Code::Asin: d[i.a] += w / sqrt(one - power(a, 2.0, Parity::Even)); break;
             case Code::Acos: d[i.a] += -(w / sqrt(one - power(a, 2.0, Parity::Even))); break;
             case Code::Atan: d[i.a] += w / (one + power(a, 2.0, Parity::Even)); break;
+            case Code::Sinh: d[i.a] += w * cosh(a); break;
+            case Code::Cosh: d[i.a] += w * sinh(a); break;
+            case Code::Tanh: d[i.a] += w * power(cosh(a), -2.0, Parity::Even); break;
+            case Code::Asinh: d[i.a] += w / sqrt(power(a, 2.0, Parity::Even) + one); break;
+            case Code::Acosh: d[i.a] += w / sqrt(power(a, 2.0, Parity::Even) - one); break;
+            case Code::Atanh: d[i.a] += w / (one - power(a, 2.0, Parity::Even)); break;
             case Code::Abs: d[i.a] += w * slope_of_abs(a); break;
             case Code::Min:
                 if (left) d[i.a] += slope_where(w, a - b, zero);

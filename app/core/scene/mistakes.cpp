@@ -9,17 +9,6 @@ namespace normalscope {
 
 namespace {
 
-// The product of the entries' inverse transposes in the reverse order, as of one who takes A⁻¹ B⁻¹ for (AB)⁻¹.
-std::optional<glm::dmat3> inverses_not_reversed(const std::vector<StackEntry>& stack) {
-    glm::dmat3 composite(1.0);
-    for (const StackEntry& entry : stack) {
-        const auto single = normal_matrices(glm::dmat3(matrix(entry)), rank(entry)).inverse_transpose;
-        if (!single) return std::nullopt;
-        composite = composite * *single;
-    }
-    return composite;
-}
-
 // Each column divided by the square of its length: the inverse transpose of a rotation after a scale, but of no shear.
 glm::dmat3 divided_by_scale_squared(const glm::dmat3& m3) {
     glm::dmat3 result = m3;
@@ -45,7 +34,8 @@ std::optional<NormalMap> mistaken_map(const Scene& scene, const Transform<World,
         case Mistake::Naive: return linear(between_the_rules(matrices, scene.power));
         case Mistake::ModelView:
         case Mistake::ZeroNormal: return linear(matrices.naive);
-        case Mistake::InversesNotReversed: return linear(inverses_not_reversed(applied_stack(scene)));
+        case Mistake::InversesNotReversed:
+            return linear(reversed_composite_of_inverse_transposes(applied_stack(scene)));
         case Mistake::NotTransposed:
             return linear(matrices.inverse_transpose ? std::optional(glm::transpose(*matrices.inverse_transpose))
                                                      : std::nullopt);

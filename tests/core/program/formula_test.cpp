@@ -34,6 +34,8 @@ TEST(Formula, GradientsAsInATextbook) {
         gradient_of("sin x cos y + sin y cos z + sin z cos x"),
         (Three{"cos(x) cos(y) − sin(x) sin(z)", "cos(y) cos(z) − sin(x) sin(y)", "cos(x) cos(z) − sin(y) sin(z)"}));
     EXPECT_EQ(gradient_of("sqrt(x) + log(y) + atan(z)"), (Three{"1/(2√x)", "1/y", "1/(z² + 1)"}));
+    EXPECT_EQ(gradient_of("sinh(x) + cosh(y) + tanh(z)"), (Three{"cosh(x)", "sinh(y)", "1/cosh(z)²"}));
+    EXPECT_EQ(gradient_of("asinh(x) + acosh(y) + atanh(z)"), (Three{"1/√(x² + 1)", "1/√(y² − 1)", "1/(1 − z²)"}));
     EXPECT_EQ(gradient_of("exp(-x^2) + tan(y) + 2^z"), (Three{"−2x e^(−x²)", "1/cos(y)²", "log(2)·2^z"}));
     EXPECT_EQ(gradient_of("abs(x) + max(y, z)"), (Three{"sign(x)", "where(1, z − y, 0)", "where(0, z − y, 1)"}));
     EXPECT_EQ(gradient_of("x^y"), (Three{"x^(y − 1) y", "x^y log(x)", "0"}));
