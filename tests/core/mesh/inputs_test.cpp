@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <numbers>
 #include <string>
@@ -95,6 +96,20 @@ TEST_F(MeshFile, FarFromTheOriginIsAsNear) {
         EXPECT_NEAR(surface_area(mesh), 4.0 * std::numbers::pi, 0.1);
         for (std::size_t i = 0; i < mesh.positions.size(); ++i)
             EXPECT_GT(glm::dot(glm::normalize(mesh.positions[i]), mesh.normals[i]), std::cos(0.08));
+    }
+}
+
+// Beside the project, where there are any; or wherever the environment says.
+TEST(MeshInputs, RealMeshes) {
+    const char* given = std::getenv("NORMALSCOPE_MESHES");
+    const fs::path folder = given ? fs::path(given) : fs::path(MESH_INPUTS) / "../../../../../shared/meshes";
+    if (!fs::exists(folder / "spot.obj")) GTEST_SKIP() << "there are no meshes in " << folder;
+    for (const char* name : {"spot.obj", "teapot.obj", "suzanne.obj", "cow.obj", "fandisk.obj"}) {
+        const Mesh mesh = load_mesh(folder / name);
+        expect_sound(mesh);
+        EXPECT_GE(mesh.triangles.size(), 900u) << name;
+        EXPECT_EQ(mesh.notes.empty(), mesh.normal_source == NormalSource::File) << name;
+        for (const glm::dvec3& n : mesh.normals) EXPECT_NE(n, glm::dvec3(0.0)) << name;
     }
 }
 

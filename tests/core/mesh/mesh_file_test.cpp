@@ -3,13 +3,11 @@
 
 #include <array>
 #include <cstdio>
-#include <cstdlib>
 #include <map>
 
 namespace normalscope {
 namespace {
 
-namespace fs = std::filesystem;
 
 const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
@@ -227,7 +225,7 @@ TEST_F(MeshFile, BadObj) {
 }
 
 TEST_F(MeshFile, WhatIsNoReadableFile) {
-    fs::create_directory(path("folder.obj"));
+    std::filesystem::create_directory(path("folder.obj"));
     for (const auto& [name, says] :
          std::vector<std::pair<std::string, std::string>>{{"folder.obj", "folder"},
                                                           {"missing.stl", "No such file"},
@@ -271,21 +269,6 @@ TEST_F(MeshFile, CreasesAreThoseOfTheShapes) {
             for (int k = 0; k < 3; ++k)
                 EXPECT_GT(glm::dot(mesh.normals[mesh.triangles[i][k]], exact.normals[exact.triangles[i][k]]), 0.99)
                     << static_cast<int>(shape) << " triangle " << i;
-    }
-}
-
-// ---- Real ones --------------------------------------------------------------------------------------------------
-
-TEST_F(MeshFile, RealMeshes) {
-    const char* given = std::getenv("NORMALSCOPE_MESHES");
-    const fs::path folder = given ? fs::path(given) : fs::path(__FILE__).parent_path() / "../../../../shared/meshes";
-    if (!fs::exists(folder / "spot.obj")) GTEST_SKIP() << "there are no meshes in " << folder;
-    for (const char* name : {"spot.obj", "teapot.obj", "suzanne.obj", "cow.obj", "fandisk.obj"}) {
-        const Mesh mesh = load_mesh(folder / name);
-        expect_sound(mesh);
-        EXPECT_GE(mesh.triangles.size(), 900u) << name;
-        EXPECT_EQ(mesh.notes.empty(), mesh.normal_source == NormalSource::File) << name;
-        for (const glm::dvec3& n : mesh.normals) EXPECT_NE(n, glm::dvec3(0.0)) << name;
     }
 }
 
