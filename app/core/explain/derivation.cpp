@@ -93,7 +93,8 @@ void remark(std::vector<Step>& steps, const Parts& p, const std::optional<Rule>&
         return steps.front();
     };
     if (!probed) {
-        at("given").remark = "nothing of the surface can be seen, so there is no point to take numbers from";
+        at("given").remark =
+            "no numbers here: nothing of the surface can be seen, or the probe is where it has no normal";
         return;
     }
     if (!p.affine) return remark_not_affine(at("wanted"), at("tangent"), at("solved"), p);

@@ -84,9 +84,13 @@ std::string of_gradient(const Explanation& e) {
                latex_number(e.implicit->source().parameters[formulas::kParameterNames.find(letter)]) + "$\n\n";
     if (!e.gradient) return out;
     const GradientReport& g = *e.gradient;
-    out += "At the probe $f = " + latex_number(g.f) + "$, $\\nabla f = {}$" + vector(g.gradient) + ", $|\\nabla f| = " +
-           (std::isfinite(glm::length(g.gradient)) ? latex_number(glm::length(g.gradient)) : "\\text{--}") +
-           "$.\n\n\\begin{tabular}{llr}\n & normal & off by \\\\ \\hline\n";
+    out += "At the probe $f = " + latex_number(g.f) + "$" +
+           (g.gradient ? ", $\\nabla f = {}$" + vector(*g.gradient) + ", $|\\nabla f| = " +
+                             (std::isfinite(glm::length(*g.gradient)) ? latex_number(glm::length(*g.gradient))
+                                                                      : "\\text{--}") +
+                             "$"
+                       : "; $\\nabla f$ does not exist") +
+           ".\n\n\\begin{tabular}{llr}\n & normal & off by \\\\ \\hline\n";
     const auto row = [](const std::string& what, const glm::dvec3& v, const std::optional<double>& off) {
         return what + " & " + vector(v) + " & " + (off ? "$" + latex_number(*off, 0.0, 3) + "{}^\\circ$" : "--") +
                " \\\\\n";

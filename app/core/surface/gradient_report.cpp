@@ -31,7 +31,7 @@ std::optional<GradientReport> gradient_report(const Surface& surface, const Prob
     GradientReport report;
     const formulas::Sample exact = implicit.written_at(probe.point);
     report.f = exact.value;
-    report.gradient = exact.gradient;
+    if (std::isfinite(exact.gradient.x + exact.gradient.y + exact.gradient.z)) report.gradient = exact.gradient;
     if (!probe.borrowed_from && glm::length(probe.normal.xyz) > 0.0) report.normal = probe.normal;
 
     report.step = kStep * implicit.source().bound;

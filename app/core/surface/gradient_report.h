@@ -10,7 +10,7 @@ namespace normalscope {
 /// ∇f at the probe, and how near to it two other ways come: differences of f, and a polygon's cross product.
 struct GradientReport {
     double f = 0.0;
-    glm::dvec3 gradient{0.0};  ///< NaN where f has no derivative
+    std::optional<glm::dvec3> gradient;  ///< empty where it does not exist
     /// ∇f / |∇f|; empty where ∇f is zero but for rounding, or does not exist.
     std::optional<Normal<Object>> normal;
 

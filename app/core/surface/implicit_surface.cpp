@@ -22,6 +22,8 @@ constexpr int kTrialPoints = 16;       // a side
 constexpr int kMostSteps = 200;        // to a root: enough for one of multiplicity 8
 constexpr int kMostShrinks = 24;       // of the region
 constexpr double kBeside = 1e-9;       // of the bound
+constexpr double kAtAKink = 1e-11;     // of the bound
+constexpr double kOther = 1e-3;        // by so much differ unit gradients at a kink
 constexpr double kAround = 0.02;       // of the bound
 constexpr double kHalfPixel = 1.5e-3;  // of the bound
 constexpr int kMostWrong = 3;          // of some thousand points
@@ -139,6 +141,27 @@ std::optional<formulas::Box> ImplicitSurface::close_region() const {
         if (glm::all(glm::greaterThan(after, 0.9 * before))) break;
     }
     return box;
+}
+
+bool ImplicitSurface::is_kink(Point<Object> p) const {
+    const double beside = kAtAKink * source_.bound;
+    std::optional<glm::dvec3> first;
+    for (glm::length_t i = 0; i < 3; ++i)
+        for (const double side : {-beside, beside}) {
+            Point<Object> q = p;
+            q.xyz[i] += side;
+            const glm::dvec3 direction = glm::normalize(at(q).gradient);
+            if (!std::isfinite(direction.x + direction.y + direction.z)) continue;
+            if (!first) first = direction;
+            if (glm::distance(*first, direction) > kOther) return true;
+        }
+    return false;
+}
+
+formulas::Sample ImplicitSurface::written_at(Point<Object> p) const {
+    formulas::Sample sample = formulas::sample(written_, p.xyz);
+    if (sample.gradient != glm::dvec3(0.0) && is_kink(p)) sample.gradient = glm::dvec3(formulas::real::kNaN);
+    return sample;
 }
 
 bool ImplicitSurface::lies_on(const glm::dvec3& p) const {

@@ -69,8 +69,10 @@ public:
     std::vector<glm::dvec3> points_throughout(int a_side) const;
 
     formulas::Sample at(Point<Object> p) const { return formulas::sample(program_, p.xyz); }
-    /// f and ∇f as they are written, for who reads them.
-    formulas::Sample written_at(Point<Object> p) const { return formulas::sample(written_, p.xyz); }
+    /// f and ∇f as they are written, for who reads them: ∇f is NaN where it does not exist.
+    formulas::Sample written_at(Point<Object> p) const;
+    /// Beside p ∇f has one direction, and across it another: as |x| has at x = 0, where at() calls its slope 0.
+    bool is_kink(Point<Object> p) const;
 
     /// The first point of the surface that the ray meets: t in lengths of its direction.
     std::optional<double> first_hit(const Ray<Object>& ray, formulas::Effort* effort = nullptr) const;

@@ -20,8 +20,15 @@ namespace {
 // Of the bound.
 constexpr double kAround = 0.02;
 constexpr double kVanished = 1e-6;  ///< against |∇f| at that distance
+constexpr double kBeside = 1e-11;
+constexpr double kSameDirection =
+    1e-3;  ///< of two unit gradients that are so near to each other: the largest difference
 
 bool finite(const glm::dvec3& v) { return std::isfinite(glm::dot(v, v)); }
+
+bool has_gradient(const ImplicitSurface& surface, Point<Object> p) {
+    return finite(surface.at(p).gradient) && !surface.is_kink(p);
+}
 
 // Down f along the sphere, to the curve itself.
 glm::dvec3 onto_curve(const ImplicitSurface& surface, const glm::dvec3& centre, double radius, glm::dvec3 direction) {
@@ -84,7 +91,7 @@ double spread(const SiteCurves& curves) {
 
 bool is_singular(const ImplicitSurface& surface, Point<Object> p) {
     const glm::dvec3 gradient = surface.at(p).gradient;
-    if (!finite(gradient) || gradient == glm::dvec3(0.0)) return true;
+    if (gradient == glm::dvec3(0.0) || !has_gradient(surface, p)) return true;
     // Against the smaller side along each axis: beside what grows as an exponential does all else would seem to vanish.
     double around = 0.0;
     const double reach = kAround * surface.source().bound;
@@ -145,7 +152,7 @@ SingularPoint singular_point(const ImplicitSurface& surface, Point<Object> p,
                              const std::optional<Direction<Object>>& borrow) {
     SingularPoint result;
     result.at = p;
-    result.undefined = !finite(surface.at(p).gradient);
+    result.undefined = surface.at(p).gradient != glm::dvec3(0.0) && !has_gradient(surface, p);
     for (const auto& curve : singular_neighbours(surface, p, kAsGoodAsLimits * surface.source().bound)) {
         result.fan.emplace_back();
         for (const Site& n : curve) result.fan.back().push_back(n.normal);

@@ -57,15 +57,15 @@ void gradient_readout(const Look& look, const Frame& frame, std::optional<Writte
     if (!implicit || !frame.probe) return;
     const GradientReport report = *gradient_report(*frame.surface, frame.probe->object);
     const auto value = [](double v) { return fixed_unless_small(v); };
-    const std::array<std::string, 4> values{value(report.f), value(report.gradient.x), value(report.gradient.y),
-                                            value(report.gradient.z)};
+    const auto slope = [&](glm::length_t i) { return report.gradient ? value((*report.gradient)[i]) : "–"; };
+    const std::array<std::string, 4> values{value(report.f), slope(0), slope(1), slope(2)};
     written_formula(look, written, implicit->source().formula, ImGui::GetContentRegionAvail().x, values.size(), values);
     ImGui::Dummy({0, look.px(2)});
 
     const Columns c = columns(look);
     dim_text(look, "|∇f|");
     ImGui::SameLine();
-    text_right(fixed(glm::length(report.gradient)), c.right[3]);
+    text_right(report.gradient ? fixed(glm::length(*report.gradient)) : "–", c.right[3]);
     ImGui::PushFont(look.fonts.small);
     dim_text(look, "the normal");
     static constexpr std::array<const char*, 4> kWords{"x", "y", "z", "off by"};

@@ -8,7 +8,6 @@
 namespace normalscope {
 namespace {
 
-
 const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 TEST_F(MeshFile, ObjWithoutNormalsComputesThem) {

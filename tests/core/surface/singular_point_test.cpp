@@ -138,6 +138,23 @@ TEST(SingularPoint, AProbeOnANodeStays) {
     EXPECT_EQ(probe->point.xyz, glm::dvec3(s, s, 0.0));
 }
 
+TEST(SingularPoint, AKinkHasNoGradient) {
+    const ImplicitSurface octahedron = surface("|x|+|y|+|z|=1"), cube = surface("max(|x|,|y|,|z|)=1");
+    for (const glm::dvec3 at : {glm::dvec3(0, 1, 0), glm::dvec3(0.5, 0.5, 0), glm::dvec3(0, 0.4, 0.6)})
+        EXPECT_TRUE(is_singular(octahedron, {at}));
+    EXPECT_FALSE(is_singular(octahedron, {{0.5, 0.4, 0.1}}));
+    EXPECT_TRUE(is_singular(cube, {{1, 1, 0.3}}));
+    EXPECT_FALSE(is_singular(cube, {{1, 0, 0}}));
+    const SingularPoint corner = singular_point(octahedron, {{0, 1, 0}}, Direction<Object>{});
+    EXPECT_TRUE(corner.undefined);
+    EXPECT_GE(corner.fan.size(), 4u);  // one a face
+    EXPECT_NEAR(corner.spread_degrees, glm::degrees(std::acos(-1.0 / 3.0)), 1e-6);
+    ASSERT_TRUE(corner.lender);
+    // What only looks like one is none.
+    for (const char* smooth : {"|x|^3+y", "max(y-x^2, y+x^2)", "where(y, x, y-x^3)", "x|x|+y", "where(y, x, 2y)"})
+        EXPECT_FALSE(is_singular(surface(smooth), {{0, 0, 0.3}})) << smooth;
+}
+
 TEST(SingularPoint, HoweverSteeplyFGrows) {
     EXPECT_FALSE(is_singular(surface("sinh(300(x^2+y^2+z^2))=sinh(300)"), {{1, 0, 0}}));
     EXPECT_FALSE(is_singular(surface("x^1000-y"), {{1, 1, 0}}));
