@@ -20,9 +20,6 @@ namespace {
 // Of the bound.
 constexpr double kAround = 0.02;
 constexpr double kVanished = 1e-6;  ///< against |∇f| at that distance
-constexpr double kBeside = 1e-11;
-constexpr double kSameDirection =
-    1e-3;  ///< of two unit gradients that are so near to each other: the largest difference
 
 bool finite(const glm::dvec3& v) { return std::isfinite(glm::dot(v, v)); }
 
