@@ -91,6 +91,17 @@ canvas.addEventListener("webglcontextrestored", () => {
     wake();
 });
 
+// A drawing buffer is empty once it has been shown: what is printed is a copy.
+window.addEventListener("beforeprint", () => {
+    if (!engine) return;
+    const printed = document.getElementById("printed");
+    printed.width = canvas.width;
+    printed.height = canvas.height;
+    call("resize", null, ["number", "number", "number"], [canvas.width, canvas.height, sizeNow().scale]);  // drawn anew
+    call("step", "number", [], []);
+    printed.getContext("2d").drawImage(canvas, 0, 0);
+});
+
 page.toggleFullScreen = () => {
     if (document.fullscreenElement) document.exitFullscreen();
     else document.documentElement.requestFullscreen?.().catch(() => {});  // a frame may not be allowed to

@@ -67,6 +67,18 @@ test("a lost context comes back", async () => {
     await page.close();
 });
 
+test("what is seen can be printed", async () => {
+    const { page } = await open(browser, fileUrl);
+    await page.pdf();
+    const colours = await page.evaluate(() => {
+        const { width, height } = document.getElementById("printed");
+        const { data } = document.getElementById("printed").getContext("2d").getImageData(0, 0, width, height);
+        return new Set(new Uint32Array(data.buffer)).size;
+    });
+    assert.ok(colours > 1000, `${colours} colours`);
+    await page.close();
+});
+
 test("without WebGL 2 one sentence says so", async () => {
     const page = await browser.newPage();
     await page.evaluateOnNewDocument(() => { HTMLCanvasElement.prototype.getContext = () => null; });
