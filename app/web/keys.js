@@ -21,11 +21,19 @@ function type(text) {
     wake();
 }
 
+let escaped = false;  // in another page: after Esc, Tab goes on through that page
+function leaves(event) {
+    if (event.key === "Tab" && escaped) return true;
+    if (event.key !== "Shift") escaped = owner !== null && event.key === "Escape";
+    return false;
+}
+
 let pasting = null;  // Ctrl+V, until the browser says what is in the clipboard
 
 function onKeyDown(event) {
     if (!engine || event.isComposing || isBrowsers(event) || event.target.closest("dialog")) return;
     if (event.key === "Unidentified" || event.keyCode === 229) return;  // letters will come by themselves
+    if (leaves(event)) return;
     if (event.ctrlKey && !event.shiftKey && event.key.toLowerCase() === "v") {
         pasting = event;
         return;

@@ -25,7 +25,8 @@ test("from a file", async () => {
 });
 
 test("in a frame with nothing but scripts", async (t) => {
-    const frame = `<!DOCTYPE html><iframe sandbox="allow-scripts" width="800" height="500" src="/normalscope.html#shear"></iframe>`;
+    const frame = `<!DOCTYPE html><button id="before">B</button><iframe sandbox="allow-scripts" width="800" height="500"
+        src="/normalscope.html#shear"></iframe><button id="after">A</button>`;
     const { origin } = await serve(t, { "/frame": frame });
     const page = await browser.newPage();
     const said = listen(page);
@@ -34,6 +35,14 @@ test("in a frame with nothing but scripts", async (t) => {
     await drawn(inner);
     assert.equal(await inner.title(), "shear – Normalscope");
     assert.match(await ask(inner, "shown"), /^shear$/);
+    const focused = () => page.evaluate(() => document.activeElement.id || document.activeElement.tagName);
+    await page.focus("#before");
+    await page.keyboard.press("Tab");
+    await page.keyboard.press("Tab");  // the program's, whose panel goes
+    assert.equal(await focused(), "IFRAME");
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("Tab");
+    assert.equal(await focused(), "after");
     assert.deepEqual(said, []);
     await page.close();
 });
