@@ -139,8 +139,10 @@ private:
 
     Id sum(Id id, int depth) {
         const std::vector<Id> terms = args(id);
-        if (terms.size() == 2)
+        if (terms.size() == 2) {
             if (const auto tame = of_two(terms[0], terms[1], depth)) return *tame;
+            if (const auto tame = of_hyperbolic(terms[0], terms[1], depth)) return *tame;
+        }
         double largest = 0.0;
         for (const Id term : terms) largest = std::max(largest, coefficient(term));
         if ((largest > 0.0 && largest < kLeast) || (largest > kMost && std::isfinite(largest)))
@@ -174,6 +176,21 @@ private:
             !(above.extreme || below.extreme))
             return std::nullopt;
         return tamed(g_.subtract(g_.add(above.terms), g_.add(below.terms)), depth);
+    }
+
+    // k sinh(u) + c or k cosh(u) + c, where c/k is beyond what floats compare well: as u against the constant's area.
+    std::optional<Id> of_hyperbolic(Id varying, Id constant, int depth) {
+        const std::vector<Id> factors =
+            g_[varying].op == Op::Product ? args(varying) : std::vector{g_.number(1), varying};
+        if (factors.size() != 2 || !g_[constant].constant || !g_[factors[0]].constant) return std::nullopt;
+        const Id level = g_.negate(g_.divide(constant, factors[0]));
+        const Op op = g_[factors[1]].op;
+        if (!(std::abs(g_[level].value) > kMost) || !std::isfinite(g_[level].value)) return std::nullopt;
+        if (op != Op::Sinh && !(op == Op::Cosh && g_[level].value > 0.0)) return std::nullopt;
+        const Id u = args(factors[1])[0];
+        const Id tame = op == Op::Sinh ? g_.subtract(u, g_.apply(Op::Asinh, {level}))
+                                       : g_.subtract(g_.apply(Op::Abs, {u}), g_.apply(Op::Acosh, {level}));
+        return tamed(g_[factors[0]].value < 0.0 ? g_.negate(tame) : tame, depth);
     }
 
     Graph& g_;

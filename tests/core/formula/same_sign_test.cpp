@@ -36,6 +36,9 @@ TEST(SameSign, WithinTheRangeOfNumbers) {
         {"exp(-x^2)-1", "-x^2"},
         {"exp(-exp(x))-exp(-1)", "-x"},
         {"exp(-100x^2)=exp(-100)", "-100*x^2 + 100"},
+        {"sinh(x)-1e9", "x - asinh(1e9)"},
+        {"1e9-2sinh(x)", "asinh(5e8) - x"},
+        {"cosh(x)-1e9", "abs(x) - acosh(1e9)"},
     };
     for (const auto& [text, expected] : cases) {
         const Formula wanted = read(expected), formula = read(text);
@@ -47,7 +50,7 @@ TEST(SameSign, WithinTheRangeOfNumbers) {
 
 TEST(SameSign, LeavesTheRestAlone) {
     for (const char* text : {"x^2+y^2+z^2-1", "x^4-1", "exp(x)", "exp(x)+1", "x*exp(x)-1", "x^200+y", "sin(x)^100-x",
-                             "1/x^100-1", "a*x^2-1", "x^x-0.5", "3(x^2+y^2)-1"})
+                             "1/x^100-1", "sinh(x)-5", "cosh(x)+9", "a*x^2-1", "x^x-0.5", "3(x^2+y^2)-1"})
         EXPECT_EQ(tame(text), "as it is") << text;
 }
 
@@ -57,6 +60,8 @@ TEST(SameSign, IsTheSameSign) {
     std::uniform_real_distribution<double> coordinate(-1.6, 1.6);
     for (const char* text : {"x^200-1e-300",
                              "exp(-x^2*1000)-1e-300",
+                             "3cosh(400x)-1e100",
+                             "-sinh(300x^2)-1e99",
                              "exp(-exp(10x))-1e-300",
                              "x^100*y^100-1e-30",
                              "1e-200(x^2+y^2+z^2-1)",
