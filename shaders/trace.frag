@@ -1,10 +1,11 @@
-// Where the ray through each pixel first meets f = 0. Before this file stand f, gradient and is_defined for the formula
-// at hand, and the interpolation of f between DEGREE + 1 samples.
+// Where the ray through each pixel first meets f = 0. formula.glsl is made for the formula at hand: f, gradient and is_defined,
+// and the interpolation of f between DEGREE + 1 samples.
 //
 // A part of the ray is free of roots if all Bernstein coefficients of f there have one sign, has just one if they change
 // it once, and is halved otherwise. Polynomials of that degree are met exactly; for anything else the interpolant's
 // last terms tell how far it may be off, and what is not safe is halved.
-#include "double.glsl"
+#include "functions.glsl"
+#include "formula.glsl"
 #include "edges.glsl"
 
 in vec3 ray;

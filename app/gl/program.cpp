@@ -24,24 +24,25 @@ constexpr std::string_view kPreamble = "preamble.glsl";
 #endif
 constexpr std::string_view kInclude = "#include \"";
 
-// A shader file, and in it, at their lines, the files that it includes.
-void append_file(std::vector<std::string_view>& parts, std::string_view name) {
+// A shader file, and in it, at their lines, the files that it includes; formula.glsl is what was made.
+void append_file(std::vector<std::string_view>& parts, std::string_view name, std::string_view formula) {
     std::string_view rest = embedded_shader(name);
     parts.push_back("#line 1\n");
     for (std::size_t at = rest.find(kInclude); at != rest.npos; at = rest.find(kInclude)) {
         parts.push_back(rest.substr(0, at));
         rest.remove_prefix(at + kInclude.size());
-        parts.push_back(embedded_shader(rest.substr(0, rest.find('"'))));
+        const std::string_view included = rest.substr(0, rest.find('"'));
+        parts.push_back(included == "formula.glsl" ? formula : embedded_shader(included));
         rest.remove_prefix(rest.find('\n') + 1);
     }
     parts.push_back(rest);
 }
 
 void append_stage(GLuint program, GLenum stage, std::string_view file, std::string_view define,
-                  std::string_view generated = "") {
+                  std::string_view formula = "") {
     const std::string defines = define.empty() ? "" : "#define " + std::string(define) + "\n";
-    std::vector<std::string_view> parts{embedded_shader(kPreamble), defines, generated};
-    append_file(parts, file);
+    std::vector<std::string_view> parts{embedded_shader(kPreamble), defines};
+    append_file(parts, file, formula);
     std::vector<const GLchar*> texts;
     std::vector<GLint> lengths;
     for (const std::string_view part : parts) {
@@ -66,11 +67,11 @@ void append_stage(GLuint program, GLenum stage, std::string_view file, std::stri
 }  // namespace
 
 Program::Program(std::string_view vertex_file, std::string_view fragment_file, std::string_view define,
-                 std::string_view generated)
+                 std::string_view formula)
     : id_(glCreateProgram()) {
     try {
         append_stage(id_, GL_VERTEX_SHADER, vertex_file, define);
-        append_stage(id_, GL_FRAGMENT_SHADER, fragment_file, define, generated);
+        append_stage(id_, GL_FRAGMENT_SHADER, fragment_file, define, formula);
         glLinkProgram(id_);
         GLint linked = GL_FALSE;
         glGetProgramiv(id_, GL_LINK_STATUS, &linked);

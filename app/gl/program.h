@@ -18,9 +18,10 @@ namespace normalscope {
 /// classes name its uniforms once, as typed slots. Throws std::runtime_error with the file's name and the compiler's log.
 class Program {
 public:
-    /// `define` is a preprocessor symbol for both stages, or empty; `generated` comes before the fragment file.
+    /// `define` is a preprocessor symbol for both stages, or empty; `formula` is what the fragment file
+    /// includes as formula.glsl.
     Program(std::string_view vertex_file, std::string_view fragment_file, std::string_view define = {},
-            std::string_view generated = "");
+            std::string_view formula = "");
     ~Program();
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;

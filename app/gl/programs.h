@@ -33,9 +33,10 @@ struct BackdropProgram : Program {
     Slot<glm::ivec2> drawn_step{*this, "drawn_step"};
 };
 
-/// Where rays meet a formula's surface. `formula` is its GLSL and what trace.frag wants before it.
+/// Where rays meet a formula's surface. `formula` is what trace.frag includes as formula.glsl.
 struct TraceProgram : Program {
-    explicit TraceProgram(std::string_view formula) : Program("trace.vert", "trace.frag", {}, formula) {}
+    TraceProgram(std::string_view formula, formulas::Precision precision)
+        : Program("trace.vert", "trace.frag", precision == formulas::Precision::Double ? "DOUBLES" : "", formula) {}
 
     Slot<glm::mat4> space_from_clip{*this, "space_from_clip"};
     Slot<float> ray_depth{*this, "ray_depth"};

@@ -91,7 +91,7 @@ glm::vec2 Tracer::tile() const { return 2.0f * static_cast<float>(kTile) / glm::
 
 bool Tracer::ready(const ImplicitSurface& surface) const {
     // All else that the program is made of follows from the formula.
-    return program_ && formula_ == surface.glsl(precision(surface)).source;
+    return program_ && precision_ == precision(surface) && formula_ == surface.glsl(precision_).source;
 }
 
 formulas::Precision Tracer::precision(const ImplicitSurface& surface) const {
@@ -102,8 +102,9 @@ void Tracer::hold(const ImplicitSurface& surface) {
     if (!asked_) has_doubles_ = has_doubles();
     asked_ = true;
     if (ready(surface)) return;
-    program_.emplace(generated(surface, precision(surface)));
-    formula_ = surface.glsl(precision(surface)).source;
+    precision_ = precision(surface);
+    program_.emplace(generated(surface, precision_), precision_);
+    formula_ = surface.glsl(precision_).source;
 }
 
 void Tracer::hold(glm::ivec2 size, std::size_t layers) {

@@ -56,7 +56,8 @@ private:
 
     formulas::Precision precision(const ImplicitSurface& surface) const;
 
-    std::string formula_;  // in GLSL, that the program is made for
+    std::string formula_;                                          // in GLSL, that the program is made for
+    formulas::Precision precision_ = formulas::Precision::Single;  // its
     bool has_doubles_ = false;
     bool asked_ = false;
     std::optional<TraceProgram> program_;

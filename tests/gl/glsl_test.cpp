@@ -12,6 +12,8 @@
 #include "gl/objects.h"
 #include "gl/vertex_data.h"
 
+#include <embedded.h>
+
 #include <glm/geometric.hpp>
 
 #include <string>
@@ -41,7 +43,7 @@ std::vector<glm::vec4> evaluated(const Glsl& glsl, const std::vector<glm::vec4>&
     glAttachShader(program, shader(GL_VERTEX_SHADER, head + "layout(location = 0) in vec2 corner;\n"
                                                             "void main() { gl_Position = vec4(corner, 0.0, 1.0); }"));
     glAttachShader(program, shader(GL_FRAGMENT_SHADER,
-                                   head + glsl.source +
+                                   head + std::string(*embedded::file("shaders/functions.glsl")) + glsl.source +
                                        "uniform sampler2D points;\nout vec4 result;\n"
                                        "void main() {\n"
                                        "    vec3 p = texelFetch(points, ivec2(gl_FragCoord.xy), 0).xyz;\n"

@@ -6,85 +6,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <ranges>
 
 namespace normalscope::formulas {
 
 namespace {
-
-// Of either kind: its names, how near to 0 and how large a number may be, and for doubles what double.glsl defines.
-constexpr std::string_view kSingle =
-    "#define REAL float\n#define REAL2 vec2\n#define REAL3 vec3\n#define DOUBLE false\n"
-    "#define TINY 1e-30\n#define ROOT_OF_TINY 1e-15\n#define HUGE 1e30\n#define MOST_EXPONENT 69.0\n#define LEAST "
-    "1.2e-38\n"
-    "#define LARGEST 3e37\n";
-constexpr std::string_view kDouble =
-    "#define DOUBLES\n#define REAL double\n#define REAL2 dvec2\n#define REAL3 dvec3\n#define DOUBLE true\n"
-    "#define TINY 1e-290lf\n#define ROOT_OF_TINY 1e-145lf\n#define HUGE 1e290lf\n#define MOST_EXPONENT "
-    "660.0lf\n#define LEAST 2.3e-308lf\n"
-    "#define LARGEST 1e300lf\n"
-    "double exp(double x);\ndouble log(double x);\ndouble pow(double b, double e);\ndouble sin(double x);\n"
-    "double cos(double x);\ndouble tan(double x);\n"
-    "double atan(double x);\ndouble atan(double y, double x);\n";
-
-// sin(x − kπ) for k near x/π: to 24 bits or nearly so, as drivers' own sines are, in half the steps, since all rays of a picture
-// spend their time here. π is in two parts. The polynomial has the least largest error on [−π/2, π/2].
-constexpr std::string_view kHalfTurns =
-    "float half_turns(float x, float k) {\n"
-    "    float r = (x - k * 3.140625) - k * 9.67653589793e-4, q = r * r;\n"
-    "    return r + r * q * (-0.166666597 + q * (0.00833306648 + q * (-1.98095950e-4 + q * 2.60576166e-6)));\n"
-    "}\n";
-
-// What GLSL has not, or leaves undefined outside a domain: there these give something finite, and is_defined says no.
-// One may use those before it.
-struct Helper {
-    std::string_view name, source;
-};
-constexpr std::array kHelpers{
-    Helper{"half_turns", kHalfTurns},
-    Helper{"wave_sin",
-           "float wave_sin(float x) {\n"
-           "    float k = floor(x * 0.318309886 + 0.5), s = half_turns(x, k);\n"
-           "    return fract(0.5 * k) > 0.25 ? -s : s;\n"
-           "}\n"},
-    Helper{"wave_cos",
-           "float wave_cos(float x) {\n"
-           "    float k = floor(x * 0.318309886) + 0.5, s = half_turns(x, k);\n"
-           "    return fract(0.5 * k) < 0.5 ? -s : s;\n"
-           "}\n"},
-    Helper{"nonzero", "REAL nonzero(REAL v) { return abs(v) > TINY ? v : v < 0.0 ? -TINY : TINY; }\n"},
-    Helper{"safe_pow", "REAL safe_pow(REAL b, REAL e) { return min(pow(max(b, TINY), e), HUGE); }\n"},
-    Helper{"odd_pow", "REAL odd_pow(REAL b, REAL e) { return sign(b) * min(pow(max(abs(b), TINY), e), HUGE); }\n"},
-    Helper{"any_pow",
-           "REAL any_pow(REAL b, REAL e) {\n"
-           "    REAL s = min(pow(max(abs(b), TINY), e), HUGE);\n"
-           "    return b < 0.0 && mod(e, 2.0) == 1.0 ? -s : s;\n"
-           "}\n"},
-    Helper{"angle_of", "REAL angle_of(REAL y, REAL x) { return x == 0.0 && y == 0.0 ? REAL(0.0) : atan(y, x); }\n"},
-    // √(1 − v²): drivers' own arcsines are right to four digits only.
-    Helper{"leg", "REAL leg(REAL v) { return sqrt(max((1.0 - v) * (1.0 + v), 0.0)); }\n"},
-    Helper{"safe_exp", "REAL safe_exp(REAL v) { return max(exp(min(v, MOST_EXPONENT)), LEAST); }\n"},
-    Helper{"sinh_of", "REAL sinh_of(REAL v) { return 0.5 * (safe_exp(v) - safe_exp(-v)); }\n"},
-    Helper{"cosh_of", "REAL cosh_of(REAL v) { return 0.5 * (safe_exp(v) + safe_exp(-v)); }\n"},
-    Helper{"tanh_of",
-           "REAL tanh_of(REAL v) {\n"
-           "    REAL e = safe_exp(-2.0 * abs(v));\n"
-           "    return sign(v) * (1.0 - e) / (1.0 + e);\n"
-           "}\n"},
-    Helper{"sech_of",
-           "REAL sech_of(REAL v) {\n"
-           "    REAL e = safe_exp(-abs(v));\n"
-           "    return 2.0 * e / (1.0 + e * e);\n"
-           "}\n"},
-    // arsinh and arcosh, and their slope. Beyond 10⁸ the 1 is lost in the square, which may be too large for a number.
-    Helper{
-        "area_of",
-        "REAL area_of(REAL v, REAL one) { return v > 1e8 ? log(v) + log(REAL(2.0)) : log(v + sqrt(v * v + one)); }\n"},
-    Helper{"area_slope",
-           "REAL area_slope(REAL v, REAL one) {\n"
-           "    return v > 1e8 ? 1.0 / v : 1.0 / sqrt(max(v * v + one, TINY));\n"
-           "}\n"},
-};
 
 constexpr double kMostFactors = 16.0;  // longer powers are left to pow()
 
@@ -120,12 +45,7 @@ public:
         for (std::uint32_t k = 0; k < program_.size(); ++k) defined_[k] = defined(k);
         const std::string defined = defined_.back();
         result.defined_everywhere = defined.empty();
-        std::string helpers;
-        for (const Helper& h : kHelpers | std::views::reverse)
-            if ((helpers + gradient_body + gradient + value).find(h.name) != std::string::npos)
-                helpers.insert(0, h.source);
-        result.source = std::string(precision_ == Precision::Double ? kDouble : kSingle) + uniforms_ + helpers +
-                        "REAL f(REAL3 p) {\n" + forward_body + "    return " + value + ";\n}\n" +
+        result.source = uniforms_ + "REAL f(REAL3 p) {\n" + forward_body + "    return " + value + ";\n}\n" +
                         "REAL3 gradient(REAL3 p) {\n" + gradient_body + "    return " + gradient + ";\n}\n" +
                         "bool is_defined(REAL3 p) {\n" + (defined.empty() ? "" : forward_body + body_) + "    return " +
                         (defined.empty() ? "true" : defined) + ";\n}\n";
@@ -134,9 +54,6 @@ public:
 
 private:
     std::string number(double v) const { return literal(v, precision_); }
-    std::string wave(const char* name, const std::string& a) const {
-        return std::string(precision_ == Precision::Double ? "" : "wave_") + name + "(" + a + ")";
-    }
 
     std::string temporary(const std::string& expression) {
         const std::string name = "t" + std::to_string(temporaries_++);
@@ -192,8 +109,8 @@ private:
             case Code::Exp: return call("safe_exp");
             case Code::Sqrt: return temporary("sqrt(max(" + a + ", 0.0))");
             case Code::Log: return temporary("log(max(" + a + ", TINY))");
-            case Code::Sin: return temporary(wave("sin", a));
-            case Code::Cos: return temporary(wave("cos", a));
+            case Code::Sin: return call("wave_sin");
+            case Code::Cos: return call("wave_cos");
             case Code::Tan: return call("tan");
             case Code::Asin: return temporary("atan(" + a + ", leg(" + a + "))");
             case Code::Acos: return temporary("atan(leg(" + a + "), " + a + ")");
@@ -339,8 +256,8 @@ private:
             case Code::Exp: contribute(i.a, times(w, value)); break;
             case Code::Sqrt: contribute(i.a, w + " * 0.5 / max(" + value + ", ROOT_OF_TINY)"); break;
             case Code::Log: contribute(i.a, w + " / max(" + a + ", TINY)"); break;
-            case Code::Sin: contribute(i.a, times(w, wave("cos", a))); break;
-            case Code::Cos: contribute(i.a, minus(times(w, wave("sin", a)))); break;
+            case Code::Sin: contribute(i.a, times(w, "wave_cos(" + a + ")")); break;
+            case Code::Cos: contribute(i.a, minus(times(w, "wave_sin(" + a + ")"))); break;
             case Code::Tan: contribute(i.a, times(w, "(1.0 + " + value + " * " + value + ")")); break;
             case Code::Asin: contribute(i.a, w + " / sqrt(max(1.0 - " + a + " * " + a + ", TINY))"); break;
             case Code::Acos: contribute(i.a, minus(w + " / sqrt(max(1.0 - " + a + " * " + a + ", TINY))")); break;
