@@ -70,8 +70,8 @@ void remark_not_affine(Step& wanted, Step& tangent, Step& solved, const Parts& p
         return;
     }
     wanted.remark =
-        "M is not affine: n_world is the image of the tangent plane π = (n_obj, −n_obj · p), the first three numbers "
-        "of "
+        "M is not affine: n_world is the image of the tangent plane π = (n_obj, −n_obj · p), w times the first three "
+        "numbers of "
         "(M⁻¹)ᵀ π; and v_world comes from the Jacobian, (M₃ − p′ rᵀ)/w v_obj, with p′ the image of the point p, rᵀ the "
         "first "
         "three numbers of M’s bottom row, and w what p′ was divided by";

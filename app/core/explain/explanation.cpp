@@ -89,7 +89,8 @@ std::vector<std::string> notes(const Scene& scene, const Transform<World, Object
             "by M.");
     if (probe && probe->borrowed_from)
         result.push_back(
-            "At the probe ∇f is zero: there is no normal. What follows borrows that of a neighbour on the "
+            "At the probe ∇f is zero or does not exist: there is no normal. What follows borrows that of a neighbour "
+            "on the "
             "surface, " +
             number_text(glm::distance(probe->borrowed_from->xyz, probe->point.xyz), 0.0, 3) + " away.");
     if (probe && !probe->has_normal())

@@ -97,9 +97,8 @@ std::string of_gradient(const Explanation& e) {
     };
     out += g.normal ? row("$\\nabla f / |\\nabla f|$", g.normal->xyz, 0.0)
                     : "$\\nabla f / |\\nabla f|$ & no normal: $\\nabla f$ is zero or does not exist & \\\\\n";
-    const glm::dvec3& d = g.differences.vector;
-    out += row("differences of $f$, $h = " + latex_number(g.step) + "$",
-               glm::length(d) > 0.0 ? glm::normalize(d) : glm::dvec3(0.0), g.differences.degrees_off);
+    out += row("differences of $f$, $h = " + latex_number(g.step) + "$", g.differences.direction(),
+               g.differences.degrees_off);
     if (g.polygon) out += row("a triangle's cross product", g.polygon->vector, g.polygon->degrees_off);
     return out + "\\end{tabular}\n\n";
 }

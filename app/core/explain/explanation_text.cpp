@@ -127,9 +127,9 @@ std::string of_gradient(const Explanation& e) {
     if (!values.empty()) out += "\n" + paragraph(values, 2);
     if (!e.gradient) return out;
     const GradientReport& g = *e.gradient;
-    const std::string gradient =
-        g.gradient ? ",  ∇f = " + vector_text(*g.gradient) + ",  |∇f| = " + number_text(glm::length(*g.gradient))
-                   : "; ∇f does not exist";
+    const std::string gradient = g.gradient ? ",  ∇f = " + vector_text(*g.gradient) + ",  |∇f| = " +
+                                                  number_text(std::hypot(g.gradient->x, g.gradient->y, g.gradient->z))
+                                            : "; ∇f does not exist";
     out += "\nAt the probe:\n\n" + indented({"f = " + number_text(g.f) + gradient}, 2);
     const auto row = [](std::string_view what, const glm::dvec3& v, const std::optional<double>& off) {
         return indented({padded(what, 39) + padded(vector_text(v), 34) + (off ? degrees_off(*off) : "–")}, 2);
@@ -137,9 +137,7 @@ std::string of_gradient(const Explanation& e) {
     out += "\n  " + padded("the normal", 73) + "off by\n";
     out += g.normal ? row("∇f / |∇f|, exactly", g.normal->xyz, 0.0)
                     : indented({"∇f / |∇f|: no normal here, since ∇f is zero or does not exist"}, 2);
-    out += row("differences of f, h = " + number_text(g.step),
-               glm::length(g.differences.vector) > 0.0 ? glm::normalize(g.differences.vector) : glm::dvec3(0.0),
-               g.differences.degrees_off);
+    out += row("differences of f, h = " + number_text(g.step), g.differences.direction(), g.differences.degrees_off);
     if (g.polygon) out += row("a triangle's cross product", g.polygon->vector, g.polygon->degrees_off);
     return out;
 }

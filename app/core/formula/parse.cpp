@@ -103,7 +103,8 @@ private:
             const bool number = token().type == TokenType::Number || token().type == TokenType::Superscript;
             if (!number || !token().number.integer() || token().number.negative())
                 throw SyntaxError(token().column, "expected a whole power of " + call.function.text + ", found " +
-                                                      quoted(token()) + "; for the inverse write asin, acos or atan");
+                                                      quoted(token()) +
+                                                      "; an inverse is written asin, acosh and so on");
             call.function_power = token().number;
             ++at_;
         }

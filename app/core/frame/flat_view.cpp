@@ -44,7 +44,8 @@ std::string note_on(const FlatView& view, const std::optional<ProbeInWorld>& pro
     if (view.cut->curves.empty()) return "The surface does not cross the plane z = 0: there is no curve to draw.";
     if (view.plane.image == FlatPlane::Image::Point) return "M sends this plane to a single point: no curve is left.";
     if (view.plane.image == FlatPlane::Image::Line) return "M flattens this plane to a line, and the curve with it.";
-    if (probe && !probe->object.has_normal()) return "\u2207f = 0 at the probe: there is no normal.";
+    if (probe && !probe->object.has_normal())
+        return "\u2207f is zero or does not exist at the probe: there is no normal.";
     if (probe && !view.n_object) return "The normal is perpendicular to this plane at the probe.";
     if (probe && !view.truth) return "M flattens the object into this plane: its normal points straight at you.";
     bool leaving = probe && leaves({}, probe->object.normal.xyz);

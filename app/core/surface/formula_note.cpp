@@ -159,7 +159,8 @@ std::optional<glm::dvec3> zero_at_an_edge(const ImplicitSurface& surface, const 
 FormulaNote on_mesh(const ImplicitSurface& surface, const Mesh& mesh) {
     glm::dvec3 low = mesh.positions.front(), high = low;
     for (const glm::dvec3& p : mesh.positions) low = glm::min(low, p), high = glm::max(high, p);
-    const double size = glm::length(high - low);
+    const glm::dvec3 sides = high - low;
+    const double size = std::max({sides.x, sides.y, sides.z});
     if (size > kVisible * surface.source().bound) return {};
     return {"The surface, around " + point_text(0.5 * (low + high), surface.source().bound) + ", is only " +
             with_digits(size, 2) + " across: too small to be seen within a bound so large. Try a smaller bound."};

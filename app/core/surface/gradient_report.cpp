@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace normalscope {
@@ -24,6 +25,11 @@ std::optional<GradientReport::Other> of_polygon(const Surface& surface, Point<Ob
 }
 
 }  // namespace
+
+glm::dvec3 GradientReport::Other::direction() const {
+    const double largest = std::max({std::abs(vector.x), std::abs(vector.y), std::abs(vector.z)});
+    return vector == glm::dvec3(0.0) ? vector : glm::normalize(vector / largest);
+}
 
 std::optional<GradientReport> gradient_report(const Surface& surface, const Probe& probe) {
     if (!surface.implicit) return std::nullopt;

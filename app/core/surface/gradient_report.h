@@ -17,6 +17,7 @@ struct GradientReport {
     struct Other {
         glm::dvec3 vector{0.0};
         std::optional<double> degrees_off;  ///< from the exact normal
+        glm::dvec3 direction() const;       ///< of unit length; 0 for 0, and NaN for what is not finite
     };
     double step = 0.0;  ///< h in (f(x + h) − f(x − h)) / 2h
     Other differences;

@@ -27,6 +27,7 @@ constexpr double kOther = 1e-3;        // by so much differ unit gradients at a 
 constexpr double kAround = 0.02;       // of the bound
 constexpr double kHalfPixel = 1.5e-3;  // of the bound
 constexpr int kMostWrong = 3;          // of some thousand points
+constexpr double kSquareable = 1e150;
 constexpr double kInfinite = formulas::kInfinity;
 
 // What is left of the cube when the parts without a zero are left out, halved so many times.
@@ -143,6 +144,16 @@ std::optional<formulas::Box> ImplicitSurface::close_region() const {
     return box;
 }
 
+formulas::Sample ImplicitSurface::at(Point<Object> p) const {
+    formulas::Sample s = formulas::sample(program_, p.xyz);
+    const glm::dvec3 size = glm::abs(s.gradient);
+    if (const double largest = std::max({size.x, size.y, size.z}); largest > kSquareable && std::isfinite(largest)) {
+        s.value /= largest;
+        s.gradient /= largest;
+    }
+    return s;
+}
+
 bool ImplicitSurface::is_kink(Point<Object> p) const {
     const double beside = kAtAKink * source_.bound;
     std::optional<glm::dvec3> first;
@@ -165,24 +176,24 @@ formulas::Sample ImplicitSurface::written_at(Point<Object> p) const {
 }
 
 bool ImplicitSurface::lies_on(const glm::dvec3& p) const {
-    const formulas::Sample s = at({p});
-    if (s.value == 0.0 && !formulas::may_jump(program_)) return true;
+    const double f = formulas::value(program_, p);
+    if (f == 0.0 && !formulas::may_jump(program_)) return true;
     const auto largest_at = [&](double distance) {
         double largest = 0.0;
         for (glm::length_t k = 0; k < 6; ++k) {
             glm::dvec3 q = p;
             q[k / 2] += (k % 2 == 0 ? distance : -distance) * source_.bound;
-            const double f = std::abs(formulas::value(program_, q));
-            if (std::isfinite(f)) largest = std::max(largest, f);
+            const double there = std::abs(formulas::value(program_, q));
+            if (std::isfinite(there)) largest = std::max(largest, there);
         }
         return largest;
     };
     const double around = largest_at(kAround);
     // sign(x) is 0 at x = 0, and 1 as near to it as one likes.
-    if (s.value == 0.0) return largest_at(kBeside) <= 0.5 * around;
+    if (f == 0.0) return largest_at(kBeside) <= 0.5 * around;
+    const formulas::Sample s = at({p});
     const double slope = glm::length(s.gradient);
-    return std::abs(s.value) <= 1e-9 * around &&
-           (!std::isfinite(slope) || std::abs(s.value) <= 1e-9 * slope * source_.bound);
+    return std::abs(f) <= 1e-9 * around && (!std::isfinite(slope) || std::abs(s.value) <= 1e-9 * slope * source_.bound);
 }
 
 bool ImplicitSurface::inside_clip(const glm::dvec3& p) const {
@@ -244,7 +255,7 @@ std::optional<Point<Object>> ImplicitSurface::onto_surface(Point<Object> start, 
     };
     glm::dvec3 p = start.xyz;
     for (int i = 0; i < kMostSteps; ++i) {
-        const formulas::Sample s = formulas::sample(program_, p);
+        const formulas::Sample s = at({p});
         if (std::isnan(s.value)) return std::nullopt;
         const double slope2 = glm::dot(s.gradient, s.gradient);
         if (s.value == 0.0) return verified(p);
@@ -256,7 +267,7 @@ std::optional<Point<Object>> ImplicitSurface::onto_surface(Point<Object> start, 
         p = next;
     }
     // At a root of multiplicity m the steps leave 1 − 1/m of the distance; what is as near as this lies on it.
-    const formulas::Sample s = formulas::sample(program_, p);
+    const formulas::Sample s = at({p});
     if (std::abs(s.value) <= 1e-12 * glm::length(s.gradient) * source_.bound) return verified(p);
     return std::nullopt;
 }

@@ -68,7 +68,8 @@ public:
     /// 0, or a way down |f| end on a ridge.
     std::vector<glm::dvec3> points_throughout(int a_side) const;
 
-    formulas::Sample at(Point<Object> p) const { return formulas::sample(program_, p.xyz); }
+    /// f and ∇f, both divided by the same number where ∇f is so large that its square would overflow.
+    formulas::Sample at(Point<Object> p) const;
     /// f and ∇f as they are written, for who reads them: ∇f is NaN where it does not exist.
     formulas::Sample written_at(Point<Object> p) const;
     /// Beside p ∇f has one direction, and across it another: as |x| has at x = 0, where at() calls its slope 0.

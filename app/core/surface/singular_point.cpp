@@ -23,6 +23,12 @@ constexpr double kVanished = 1e-6;  ///< against |∇f| at that distance
 
 bool finite(const glm::dvec3& v) { return std::isfinite(glm::dot(v, v)); }
 
+// Whether ∇f may be zero as near to p as cannot be told from it: bounds know what is steep from what vanishes.
+bool may_vanish(const ImplicitSurface& surface, const glm::dvec3& p) {
+    const double near = kVanished * kAround * surface.source().bound;
+    const formulas::IntervalSample s = formulas::sample(surface.program(), formulas::Box{p - near, p + near});
+    return std::ranges::none_of(s.gradient, [](const formulas::Interval& g) { return g.low > 0.0 || g.high < 0.0; });
+}
 bool has_gradient(const ImplicitSurface& surface, Point<Object> p) {
     return finite(surface.at(p).gradient) && !surface.is_kink(p);
 }
@@ -102,7 +108,7 @@ bool is_singular(const ImplicitSurface& surface, Point<Object> p) {
         }
         if (std::isfinite(smaller)) around = std::max(around, smaller);
     }
-    return glm::length(gradient) < kVanished * around;
+    return glm::length(gradient) < kVanished * around && may_vanish(surface, p.xyz);
 }
 
 std::optional<Point<Object>> singular_near(const ImplicitSurface& surface, Point<Object> start, double reach) {

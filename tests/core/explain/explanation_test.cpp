@@ -156,6 +156,7 @@ TEST(Explanation, AnyTextIsLatex) {
               "50\\% of \\{a\\_b\\} \\& \\#1\\textasciicircum{}2\\textasciitilde{}\\textbackslash{}");
     EXPECT_EQ(latex_text("(M₃⁻¹)ᵀ é 日\n"), "(M$_3$$^{-1}$)$^{\\mathsf T}$ é ? ");
     EXPECT_EQ(latex_text("\xE6\x97"), "?");  // cut off
+    EXPECT_EQ(latex_text("p′ Ω"), "p$'$ $\\Omega$");
     EXPECT_EQ(latex_number(-1.5e-8), "-1.5 \\cdot 10^{-8}");
 }
 

@@ -157,6 +157,11 @@ TEST(SingularPoint, AKinkHasNoGradient) {
 
 TEST(SingularPoint, HoweverSteeplyFGrows) {
     EXPECT_FALSE(is_singular(surface("sinh(300(x^2+y^2+z^2))=sinh(300)"), {{1, 0, 0}}));
+    EXPECT_FALSE(is_singular(surface("sinh(1000x)=y"), {{0, 0, 0}}));
+    EXPECT_FALSE(is_singular(surface("cosh(300x)=y"), {{0, 1, 0}}));
+    EXPECT_FALSE(is_singular(surface("exp(1000x)-exp(-1000x)=y"), {{0, 0, 0}}));
+    EXPECT_TRUE(is_singular(surface("x^2+y^2=sinh(1000z)^2"), {{0, 0, 0}}));
+    EXPECT_FALSE(surface("y=sinh(750x)").onto_surface({{0.76, 0.55, 0.35}}, 0.1));  // where ∇f has no square
     EXPECT_FALSE(is_singular(surface("x^1000-y"), {{1, 1, 0}}));
     EXPECT_FALSE(is_singular(surface("cosh(400x)-cosh(200)"), {{0.5, 0.3, 0}}));
 }
