@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace normalscope {
@@ -22,6 +23,8 @@ namespace {
 
 // Of the picture's width, where words are large: a legend that would be wider goes without its names.
 constexpr float kLegendInLecture = 0.42f;
+// What a legend hides: a word, a line or an arrow, the whole object. No other sum of some of them is as large as a word.
+constexpr float kWord = 1e6f, kLine = 1000.0f, kObject = 100.0f;
 
 ImVec2 extent(const ImFont* font, std::string_view text) {
     return font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.data(), text.data() + text.size());
@@ -51,6 +54,8 @@ public:
           words_{look.fonts.caption ? look.fonts.body : look.fonts.small},
           colors_{theme_colors(frame.theme)},
           list_{*ImGui::GetBackgroundDrawList()} {}
+
+    const ImFont* words() const { return words_; }
 
     void plain(const ImFont* font, ImVec2 at, const ImVec4& color, std::string_view text) const {
         list_.AddText(font, font->FontSize, {std::round(at.x), std::round(at.y)}, packed(color), text.data(),
@@ -124,29 +129,29 @@ public:
     }
 
     // Where the names have no room, formulas alone; where these have none, nothing.
-    std::vector<LegendEntry> legend_within(ImVec2 room, std::vector<LegendEntry> entries) const {
+    std::vector<LegendEntry> legend_within(ImVec2 room, std::vector<LegendEntry> entries, const ImFont* font) const {
         const float narrow = look_.fonts.caption ? kLegendInLecture * room.x : room.x;
-        if (legend_size(entries).x > narrow)
+        if (legend_size(entries, font).x > narrow)
             for (LegendEntry& entry : entries)
                 if (const auto gap = entry.text.find("  "); gap != std::string::npos) entry.text.erase(0, gap + 2);
-        if (const ImVec2 size = legend_size(entries); size.x > room.x || size.y > room.y) entries.clear();
+        if (const ImVec2 size = legend_size(entries, font); size.x > room.x || size.y > room.y) entries.clear();
         return entries;
     }
-    ImVec2 legend_size(const std::vector<LegendEntry>& entries) const {
+    ImVec2 legend_size(const std::vector<LegendEntry>& entries, const ImFont* font) const {
         float width = 0.0f;
-        for (const LegendEntry& entry : entries) width = std::max(width, extent(words_, entry.text).x);
-        return {width + look_.px(12 + 30 + 9 + 14), static_cast<float>(entries.size()) * row() + look_.px(14)};
+        for (const LegendEntry& entry : entries) width = std::max(width, extent(font, entry.text).x);
+        return {width + look_.px(12 + 30 + 9 + 14), static_cast<float>(entries.size()) * row(font) + look_.px(14)};
     }
 
-    void legend(ImVec2 low, const std::vector<LegendEntry>& entries) const {
-        const ImVec2 size = legend_size(entries);
+    void legend(ImVec2 low, const std::vector<LegendEntry>& entries, const ImFont* font) const {
+        const ImVec2 size = legend_size(entries, font);
         draw_card(look_, colors_, low, {low.x + size.x, low.y + size.y});
-        float y = low.y + look_.px(7) + row() / 2;
+        float y = low.y + look_.px(7) + row(font) / 2;
         for (const LegendEntry& entry : entries) {
             draw_arrow(list_, entry.look, {low.x + look_.px(12), y}, {low.x + look_.px(42), y}, look_.px(3),
                        packed(to_imgui(entry.color)));
-            plain(words_, {low.x + look_.px(51), y - words_->FontSize / 2}, to_imgui(colors_.text), entry.text);
-            y += row();
+            plain(font, {low.x + look_.px(51), y - font->FontSize / 2}, to_imgui(colors_.text), entry.text);
+            y += row(font);
         }
     }
 
@@ -195,7 +200,7 @@ private:
                         {{std::round(at.x - pad), std::round(at.y - above)},
                          {std::round(at.x + size.x + pad), std::round(at.y + size.y + above)}}};
     }
-    float row() const { return words_->FontSize + look_.px(4); }
+    float row(const ImFont* font) const { return font->FontSize + look_.px(4); }
 
     const Look& look_;
     const ImFont* words_;  ///< of the legend and of notes: larger in a lecture
@@ -214,45 +219,63 @@ std::vector<Box> label_boxes(const Frame& frame, const Writer& writer) {
 
 // What a box hides of the panes: of lines and arrows, and of the objects.
 float hidden_by(const Box& box, const Frame& frame) {
-    constexpr double kLine = 1000.0, kObject = 100.0;
     double hidden = 0.0;
     for (const Pane& pane : frame.panes) {
         const glm::dvec2 origin(pane.rect.origin), low = glm::dvec2(box.low.x, box.low.y) - origin,
                                                    high = glm::dvec2(box.high.x, box.high.y) - origin;
-        hidden += kObject * share_within(pane.outline, low, high);
+        hidden += double{kObject} * share_within(pane.outline, low, high);
         for (const Stroke& stroke : pane.strokes) {
             const auto line = in_pixels(pane.view, stroke);
-            if (line && line->length_in(0.5 * (low + high), 0.5 * (high - low)) > 0.0) hidden += kLine;
+            if (line && line->length_in(0.5 * (low + high), 0.5 * (high - low)) > 0.0) hidden += double{kLine};
         }
     }
     return static_cast<float>(hidden);
 }
 
+struct Legend {
+    std::vector<LegendEntry> entries;
+    const ImFont* font = nullptr;
+    Box box{};
+};
 /// Where the legend stands, and the key of what the surface's colours mean.
 struct Cards {
-    std::vector<LegendEntry> entries;
-    Box legend{};
+    Legend legend;
     std::optional<Box> key{};
 };
 
 // In a lecture, or where it is asked for, in the corner of the picture where it hides the least: the lower left one, unless
-// another is better.
-Box legend_box(const Look& look, const Frame& frame, const Writer& writer, const Box& room, ImVec2 size) {
-    constexpr float kElsewhere = 5.0f, kWord = 1000.0f;
+// another is better. Also how much it hides there.
+std::pair<Box, float> legend_box(const Look& look, const Frame& frame, const Writer& writer, const Box& room,
+                                 ImVec2 size) {
+    constexpr float kElsewhere = 5.0f;
     const Box usual{{room.low.x, room.high.y - size.y}, {room.low.x + size.x, room.high.y}};
-    if (!look.fonts.caption && frame.legend_corner == Frame::LegendCorner::LowerLeft) return usual;
+    if (!look.fonts.caption && frame.legend_corner == Frame::LegendCorner::LowerLeft) return {usual, 0.0f};
     const std::vector<Box> words = label_boxes(frame, writer);
     Box best = usual;
-    float least = std::numeric_limits<float>::infinity();
+    float least = std::numeric_limits<float>::infinity(), hidden = 0.0f;
     for (int corner = 0; corner < 4; ++corner) {
         const ImVec2 low{corner % 2 == 0 ? room.low.x : room.high.x - size.x,
                          corner < 2 ? room.high.y - size.y : room.low.y};
         const Box box{low, {low.x + size.x, low.y + size.y}};
-        float cost = kElsewhere * static_cast<float>(corner) + hidden_by(box, frame);
-        for (const Box& word : words) cost += meet(box, word) ? kWord : 0.0f;
-        if (cost < least) least = cost, best = box;
+        float covered = hidden_by(box, frame);
+        for (const Box& word : words) covered += meet(box, word) ? kWord : 0.0f;
+        if (const float cost = kElsewhere * static_cast<float>(corner) + covered; cost < least)
+            least = cost, best = box, hidden = covered;
     }
-    return best;
+    return {best, hidden};
+}
+
+// Where large words would hide another word or a good part of the object, in small ones; where these would, too, none: the
+// arrows that matter have labels of their own.
+Legend legend_of(const Look& look, const Frame& frame, const Writer& writer, const Box& room) {
+    for (const ImFont* font : {writer.words(), static_cast<const ImFont*>(look.fonts.small)}) {
+        Legend legend{writer.legend_within({room.high.x - room.low.x, room.high.y - room.low.y}, frame.legend, font),
+                      font};
+        const auto [box, hidden] = legend_box(look, frame, writer, room, writer.legend_size(legend.entries, font));
+        legend.box = box;
+        if (hidden < kWord && std::fmod(hidden, kLine) < kObject / 8.0f) return legend;
+    }
+    return {};
 }
 
 Cards cards_of(const Look& look, const Frame& frame, const Writer& writer) {
@@ -260,16 +283,13 @@ Cards cards_of(const Look& look, const Frame& frame, const Writer& writer) {
     const glm::vec2 origin(frame.rect.origin), size(frame.rect.size);
     Box room{{origin.x + margin, origin.y + margin}, {origin.x + size.x - margin, origin.y + size.y - margin}};
     const float width = room.high.x - room.low.x;
-    Cards cards{writer.legend_within({width, room.high.y - room.low.y}, frame.legend)};
+    Cards cards{legend_of(look, frame, writer, room)};
     const ImVec2 key = frame.color_key ? color_key_size(look, width, frame.color_key->text) : ImVec2(0, 0);
     float beside = room.low.x;
-    if (!cards.entries.empty()) {
-        cards.legend = legend_box(look, frame, writer, room, writer.legend_size(cards.entries));
-        if (cards.legend.high.y == room.high.y && cards.legend.low.x == room.low.x) {
-            beside = cards.legend.high.x + margin;
-            if (room.high.x - key.x < beside)
-                room.high.y = cards.legend.low.y - look.px(8);  // no room beside it: above
-        }
+    if (const Box& legend = cards.legend.box;
+        !cards.legend.entries.empty() && legend.high.y == room.high.y && legend.low.x == room.low.x) {
+        beside = legend.high.x + margin;
+        if (room.high.x - key.x < beside) room.high.y = legend.low.y - look.px(8);  // no room beside it: above
     }
     if (key.x == 0.0f) return cards;
     const ImVec2 low{room.high.x - key.x < beside ? room.low.x : room.high.x - key.x, room.high.y - key.y};
@@ -292,7 +312,8 @@ void draw_words(const Look& look, const Frame& frame) {
         list.PopClipRect();
     }
     const Cards cards = cards_of(look, frame, writer);
-    if (!cards.entries.empty()) writer.legend(cards.legend.low, cards.entries);
+    if (const Legend& legend = cards.legend; !legend.entries.empty())
+        writer.legend(legend.box.low, legend.entries, legend.font);
     if (!cards.key) return;
     const ImVec2 low = cards.key->low;
     draw_color_key(look, frame, low, {cards.key->high.x - low.x, cards.key->high.y - low.y});
@@ -302,7 +323,7 @@ std::vector<PixelRect> word_boxes(const Look& look, const Frame& frame) {
     const Writer writer(look, frame);
     std::vector<Box> boxes = label_boxes(frame, writer);
     const Cards cards = cards_of(look, frame, writer);
-    if (!cards.entries.empty()) boxes.push_back(cards.legend);
+    if (!cards.legend.entries.empty()) boxes.push_back(cards.legend.box);
     if (cards.key) boxes.push_back(*cards.key);
     std::vector<PixelRect> rects;
     for (const auto& [low, high] : boxes)
