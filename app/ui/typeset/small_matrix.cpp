@@ -19,18 +19,20 @@ std::string entry_text(const Value& value, int row, int column, int decimals) {
     return number == 0.0 ? "0" : fixed_unless_small(number, decimals);
 }
 
+float widest_entry(const Value& value, const ImFont* font, int decimals) {
+    float widest = 0.0f;
+    for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c)
+            widest = std::max(
+                widest, font->CalcTextSizeA(font->FontSize, 1e9f, 0, entry_text(value, r, c, decimals).c_str()).x);
+    return widest;
+}
+
 // As many decimals as fit into the columns, at most two: the numbers are to be compared at a glance.
 int decimals_that_fit(const Value& value, const ImFont* font, float column) {
-    for (int decimals = 2; decimals > 0; --decimals) {
-        bool fits = true;
-        for (int r = 0; r < 3; ++r)
-            for (int c = 0; c < 3; ++c) {
-                const std::string text = entry_text(value, r, c, decimals);
-                fits &= font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.c_str()).x <= column;
-            }
-        if (fits) return decimals;
-    }
-    return 0;
+    int decimals = 2;
+    while (decimals > 0 && widest_entry(value, font, decimals) > column) --decimals;
+    return decimals;
 }
 
 void brackets(const Look& look, ImDrawList& list, ImVec2 low, ImVec2 high, const ImVec4& ink) {
@@ -49,17 +51,20 @@ void entries(const Look& look, ImDrawList& list, const Value& value, ImVec2 low,
     const ImFont* font = look.fonts.small;
     const float pad = look.px(5), column = (width - 2 * pad) / 3, row = look.px(kRow);
     const int decimals = decimals_that_fit(value, font, column - look.px(4));
+    // Numbers with exponents may be wider than that: rather small than one over the other.
+    const float size = font->FontSize * std::min(1.0f, (column - look.px(4)) / widest_entry(value, font, decimals));
+    const auto width_of = [&](const std::string& text) { return font->CalcTextSizeA(size, 1e9f, 0, text.c_str()).x; };
     // A zero stands where the others have their units, as if it had the decimals too.
     const std::string tail = decimals > 0 ? "." + std::string(static_cast<std::size_t>(decimals), '0') : "";
-    const float beyond = font->CalcTextSizeA(font->FontSize, 1e9f, 0, tail.c_str()).x;
+    const float beyond = width_of(tail);
     for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c) {
             const std::string text = entry_text(value, r, c, decimals);
             const bool zero = text == "0";
             const float right = low.x + pad + column * static_cast<float>(c + 1) - look.px(3) - (zero ? beyond : 0.0f);
-            list.AddText(font, font->FontSize,
-                         {std::round(right - font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.c_str()).x),
-                          std::round(low.y + look.px(kPad) + row * static_cast<float>(r) + (row - font->FontSize) / 2)},
+            list.AddText(font, size,
+                         {std::round(right - width_of(text)),
+                          std::round(low.y + look.px(kPad) + row * static_cast<float>(r) + (row - size) / 2)},
                          packed(zero ? look.dim : look.text), text.c_str());
         }
 }
