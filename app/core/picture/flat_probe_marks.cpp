@@ -50,6 +50,7 @@ public:
           before_(probe_.object.point.xyz),
           length_(flat_probe_length(board, scene, options)) {
         choose_scale();
+        stay_within();
     }
 
     void tangent() {
@@ -180,6 +181,26 @@ private:
         scale_ = std::min(1.0, kLongest / longest);
         to_scale_ = probe_.affine && scale_ * shortest >= kShortest;
         if (!to_scale_) scale_ = 1.0;
+    }
+
+    // Arrows that would leave the picture are all shorter, down to where they are too short to be compared. A word needs room
+    // at their tips, too.
+    void stay_within() {
+        constexpr double kWord = 30.0, kLeast = 0.4;
+        const auto pixel = [&](glm::dvec2 place) { return glm::dvec2(pane_.view.pixel(plane_.at(place))); };
+        const glm::dvec2 from = pixel(centre_), size(pane_.rect.size);
+        const double margin = kWord * glm::distance(pixel(centre_ + glm::dvec2(board_.pixel(), 0.0)), from);
+        double part = 1.0;
+        for (const Rule rule : kRules) {
+            const auto n = image(rule);
+            if (!n) continue;
+            const glm::dvec2 way = pixel(centre_ + *n) - from;
+            for (glm::length_t i = 0; i < 2; ++i) {
+                const double room = way[i] < 0.0 ? from[i] - margin : size[i] - margin - from[i];
+                if (std::abs(way[i]) > room && room > 0.0) part = std::min(part, room / std::abs(way[i]));
+            }
+        }
+        length_ *= std::max(part, kLeast);
     }
 
     std::optional<glm::dvec2> image(Rule rule) const {
