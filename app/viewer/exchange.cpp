@@ -45,12 +45,16 @@ void Viewer::show_title() {
     if (title != title_) host_.set_title(title_ = std::move(title));
 }
 
+// What there was before may not be saved.
+void Viewer::leave_exercises() {
+    if (!exercising()) return;
+    lecture().leave(document_.scene);
+    document_.set_origin(origin_before_exercises_);
+}
+
 void Viewer::close() {
     wake();
-    if (exercising()) {
-        lecture().leave(document_.scene);  // what there was before may not be saved
-        document_.set_origin(origin_before_exercises_);
-    }
+    leave_exercises();
     const std::vector<Work> all = document_.all_unsaved();
     std::vector<Work> works = all;
     std::erase_if(works, [&](const Work& work) { return !can_be_drawn(work.scene); });
@@ -105,6 +109,7 @@ void Viewer::obey(const Reply& reply) {
         if (reply.choice == 2) return;  // kept until the next start
         const std::vector<UnsavedWork> offered = std::exchange(offered_, {});
         if (reply.choice == 1) return;
+        leave_exercises();  // in their scene there would be no work
         for (const UnsavedWork& work : offered)
             if (can_be_drawn(work.scene))
                 document_.recover(work), follow_draft();

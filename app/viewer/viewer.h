@@ -178,6 +178,7 @@ private:
     /// What an earlier session did not come to save.
     void offer();
     void obey(const Reply& reply);
+    void leave_exercises();
     /// Whether to save all that is not, one after the other.
     void ask_to_save(const std::vector<Work>& works);
     /// Has the host keep these works, and what is offered still.

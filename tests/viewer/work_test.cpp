@@ -215,6 +215,20 @@ TEST_F(WorkTest, WhatAnEarlierSessionLeftIsOffered) {
     EXPECT_FALSE(asked());
 }
 
+TEST_F(WorkTest, WhatAnEarlierSessionLeftComesBackOutOfExercises) {
+    Scene left = light();
+    left.rule = Rule::Cofactor;
+    start(light(), "", {.scale = {}, .lessons = {}, .unsaved = {{"", left}}});
+    open("exercises:42");
+    EXPECT_TRUE(asked());
+    key(ImGuiKey_Enter);
+    EXPECT_FALSE(lecture().exercises.running());
+    EXPECT_EQ(scene(), left);
+    EXPECT_TRUE(is_unsaved());
+    EXPECT_EQ(kept(), left);
+    expect_undo({light(), left});
+}
+
 TEST_F(WorkTest, WhatWasLeftUnsavedIsAskedAboutInTheEnd) {
     start_from_file();
     key(ImGuiKey_C);
