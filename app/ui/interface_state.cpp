@@ -103,9 +103,12 @@ Arrangement InterfaceState::arrangement(glm::ivec2 framebuffer) const {
 void InterfaceState::draw_strip(Scene& scene, const Frame& frame, const Status& status, Requests& requests) {
     const bool about = !scene.about.empty() && status.as_named;
     const bool stopped = scene.stack_position && !stack.player.playing;
-    const std::string sentence = stopped ? "Stopped partway: " + how_far(scene)
-                                 : about ? said_of(scene).caption
-                                         : said_of_m(scene);
+    const bool nothing = frame.surface && frame.surface->implicit && !frame.surface->implicit->region() &&
+                         frame.surface->mesh.triangles.empty();
+    const std::string sentence = nothing   ? "No surface is drawn: the note below the formula says why."
+                                 : stopped ? "Stopped partway: " + how_far(scene)
+                                 : about   ? said_of(scene).caption
+                                           : said_of_m(scene);
     letters.want(sentence, look.fonts.title);
     switch (draw_scene_strip(
         look, {.sentence = sentence, .plays = !scene.stack.empty(), .playing = stack.player.playing}, frame.rect)) {

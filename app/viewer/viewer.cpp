@@ -25,6 +25,22 @@ constexpr double kKeepTyped = 2.0;     // seconds until what is being typed is s
 constexpr double kQuietly = 0.3;       // seconds until it is said that a surface is being made
 constexpr std::string_view kMaking = "Computing the surface \u2026  Esc cancels";
 
+constexpr std::string_view kLost = "F shows the whole object again";
+
+// Of the object, or of the box around it in the picture.
+bool mostly_outside(const Frame& frame) {
+    constexpr double kSeen = 0.6;
+    for (const Pane& pane : frame.panes) {
+        if (pane.outline.empty()) continue;
+        glm::dvec2 low = pane.outline.front(), high = low;
+        for (const glm::dvec2& p : pane.outline) low = glm::min(low, p), high = glm::max(high, p);
+        const glm::dvec2 inside = glm::min(high, glm::dvec2(pane.rect.size)) - glm::max(low, glm::dvec2(0.0)),
+                         whole = high - low;
+        if (!(inside.x >= 0.0 && inside.y >= 0.0 && inside.x * inside.y >= kSeen * whole.x * whole.y)) return true;
+    }
+    return false;
+}
+
 bool is_more_than_a_scene(const Opened& opened) { return opened.lesson || opened.exercises; }
 
 }  // namespace
@@ -200,6 +216,17 @@ void Viewer::tell_of_waiting() {
     }
 }
 
+void Viewer::tell_of_lost_object() {
+    const Camera& camera = document_.scene.camera;
+    if (const bool lost = mostly_outside(*frame_); !lost || in_lesson() || exercising()) {
+        seen_by_ = camera;
+        gui_.interface.take_back_note(kLost);
+    } else if (seen_by_ == camera && !pointer_.busy()) {
+        seen_by_.reset();  // said once
+        gui_.interface.show_note(kLost);
+    }
+}
+
 bool Viewer::give_up_surface() {
     if (!surfaces_.making()) return false;
     gui_.finish_typing();
@@ -244,6 +271,7 @@ bool Viewer::has_room() const { return glm::all(glm::greaterThan(host_.framebuff
 Requests Viewer::compose() {
     frame_ = frame_now(Marks::WithHandles);
     tell_of_waiting();
+    tell_of_lost_object();
     const Scene before = document_.scene;
     const std::optional<Highlight> lit = gui_.interface.highlighted();
     const Requests requests = lay_out();

@@ -121,6 +121,8 @@ private:
     Frame frame_now(Marks marks);
     /// Says so where a formula's surface takes long, and that Esc gives it up.
     void tell_of_waiting();
+    /// Says how to find the object where a change of the scene, but not of the camera, has taken it out of the picture.
+    void tell_of_lost_object();
     /// Back to the scene before; a redo tries again. Whether there was something to give up.
     bool give_up_surface();
     void obey(const Requests& requests);
@@ -201,7 +203,8 @@ private:
     DisplayScale scale_;
     Pace pace_;
     SurfaceInTime surfaces_;
-    double waiting_since_ = 0.0;  ///< for a formula's surface, by the host's clock
+    std::optional<Camera> seen_by_;  ///< the camera that had the object in the picture last
+    double waiting_since_ = 0.0;     ///< for a formula's surface, by the host's clock
     LevelSetsCache level_sets_;
     FlatCutCache flat_cut_;
     ErrorsCache errors_;

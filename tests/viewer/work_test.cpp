@@ -215,6 +215,19 @@ TEST_F(WorkTest, WhatAnEarlierSessionLeftIsOffered) {
     EXPECT_FALSE(asked());
 }
 
+TEST_F(WorkTest, AnObjectThatGrewOutOfThePictureIsFoundAgain) {
+    start();
+    Scene tall = light();
+    tall.stack = {Scale{{1.0, 1e6, 1.0}}};
+    save_scene(tall, path("tall.json"));
+    open(path("tall.json"));
+    EXPECT_EQ(message(), "F shows the whole object again");
+    key(ImGuiKey_F);
+    EXPECT_EQ(message(), "");
+    key(ImGuiKey_F);
+    EXPECT_EQ(message(), "");
+}
+
 TEST_F(WorkTest, WhatAnEarlierSessionLeftComesBackOutOfExercises) {
     Scene left = light();
     left.rule = Rule::Cofactor;

@@ -290,10 +290,12 @@ void draw_error_tab(const Scene& scene, ErrorTab& tab, const SideContext& contex
                            naive && m.affine() ? matrices.error_bound_degrees(bent.power) : std::nullopt,
                            context.status.errors);
         else
-            remark(look, look.bad,
-                   "There is no (M⁻¹)ᵀ n to compare with: M has no inverse. Where M has rank 2, the cofactor still "
-                   "gives a "
-                   "normal, and M n lies in the flattened surface.");
+            remark(
+                look, look.bad,
+                m.affine() && matrices.rank == 3
+                    ? "There is no surface here, and so no normal."
+                    : "There is no (M⁻¹)ᵀ n to compare with: M has no inverse. Where M has rank 2, the cofactor still "
+                      "gives a normal, and M n lies in the flattened surface.");
     }
     if (naive && m.affine()) between_the_rules_section(look, tab, matrices, bent);
     against_the_stretch_section(tab, m, bent, context);
