@@ -209,12 +209,13 @@ void Lecture::draw(const Look& look, Scene& scene, const PixelRect& room, const 
     const std::vector<Speech> all = said().all;
     const StripRoom strip = beside(room, picture);
     if (all.empty() || strip.size.x < 1.0f || strip.size.y < 1.0f || !look.fonts.caption) return;
-    const auto in_its_room = [&](const Speech& speech) {
-        return fitted(look, speech, strip.side, strip.size.x,
-                      {static_cast<float>(room.size.x), static_cast<float>(room.size.y)});
+    const ImVec2 all_room(static_cast<float>(room.size.x), static_cast<float>(room.size.y));
+    const auto draw_strip = [&](const Speech& said, const StripState& state) {
+        const Speech speech = fitted(look, said, strip.side, strip.size.x, all_room);
+        return strip_.draw(fitting_look(look, speech, strip.side, strip.size.x, all_room), speech, state, strip);
     };
     if (exercises.running()) {
-        const StripRequests requests = strip_.draw(look, in_its_room(all.front()), exercises.state(), strip);
+        const StripRequests requests = draw_strip(all.front(), exercises.state());
         ends_ = requests.close;
         return exercises.obey(requests, scene);
     }
@@ -237,7 +238,7 @@ void Lecture::draw(const Look& look, Scene& scene, const PixelRect& room, const 
                       {},
                       {},
                       {}};
-    const StripRequests requests = strip_.draw(look, in_its_room(speech), state, strip);
+    const StripRequests requests = draw_strip(speech, state);
     if (!player.running()) return;
     if (requests.choose) player.choose(*requests.choose);
     if (requests.next) press_in_lesson(LectureKey::Next, scene);

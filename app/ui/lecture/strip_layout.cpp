@@ -31,8 +31,9 @@ MathStyle style_with(const Look& look, const ImFont* words, const ImFont* below,
 // Rather smaller than broken, as long as it can be read.
 MathBox equation_box(MathStyle style, std::string_view text, float width, const WordInks& inks) {
     style.formula = true;
+    const float usual = style.shrink;
     for (const float shrink : {1.0f, 0.92f, 0.84f, 0.76f, 0.7f, 0.64f}) {
-        style.shrink = shrink;
+        style.shrink = usual * shrink;
         MathBox box = paragraph(style, text, 1e9f, inks);
         if (box.width <= width) return box;
     }
@@ -93,6 +94,11 @@ bool board_beside_words(const Look& look, const Speech& speech, StripPlace::Side
     return side == StripPlace::Side::Below && width >= look.px(kBoardBeside) && has_board(speech) && !speech.question;
 }
 float words_width(const Look& look, float width) { return std::max(width - 2 * look.px(kStripPad), look.px(80)); }
+
+// How high a strip may be.
+float most_of(StripPlace::Side side, ImVec2 room) {
+    return side == StripPlace::Side::Beside ? room.y : std::floor(kLargestShare * room.y);
+}
 
 // Of the object in a picture of that size, by its shorter side.
 float object_size(const Speech& speech, float width, float height) {
@@ -201,9 +207,19 @@ float strip_height(const Look& look, const Speech& speech, StripPlace::Side side
 }
 
 Speech fitted(const Look& look, Speech speech, StripPlace::Side side, float width, ImVec2 room) {
-    const float most = side == StripPlace::Side::Beside ? room.y : std::floor(kLargestShare * room.y);
+    const float most = most_of(side, room);
     if (speech.to_a_room) speech.to_a_room = strip_height(look, speech, side, width) <= most;
     return speech;
+}
+
+Look fitting_look(const Look& look, const Speech& speech, StripPlace::Side side, float width, ImVec2 room) {
+    const float most = most_of(side, room);
+    Look smaller = look;
+    for (const float shrink : {1.0f, 0.94f, 0.88f, 0.82f, 0.76f, 0.7f}) {
+        smaller.shrink = look.shrink * shrink;
+        if (strip_height(smaller, speech, side, width) <= most) break;
+    }
+    return smaller;
 }
 
 StripPlace strip_place(const Look& look, std::span<const Speech> lesson, std::span<const Speech> held, ImVec2 room) {

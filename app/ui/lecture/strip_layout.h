@@ -30,6 +30,10 @@ float strip_height(const Look& look, const Speech& speech, StripPlace::Side side
 /// The same with its question no larger than notes, where that is too much for a strip in that room.
 Speech fitted(const Look& look, Speech speech, StripPlace::Side side, float width, ImVec2 room);
 
+/// The look in which all words of the speech fit into a strip in that room, so that nobody need scroll: with smaller letters,
+/// down to a limit.
+Look fitting_look(const Look& look, const Speech& speech, StripPlace::Side side, float width, ImVec2 room);
+
 /// On the side that leaves the objects of these steps the larger picture, for the whole lesson: nobody's eyes are to jump.
 /// As high as `held` at most needs, but no higher than half of the room.
 StripPlace strip_place(const Look& look, std::span<const Speech> lesson, std::span<const Speech> held, ImVec2 room);
