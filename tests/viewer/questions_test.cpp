@@ -73,7 +73,7 @@ TEST_F(QuestionsTest, NextRevealsAndGoesOn) {
 }
 
 TEST_F(QuestionsTest, TheExplanationComesIntoView) {
-    host_.size = {800, 575};
+    host_.size = {800, 430};
     start(light(), "8-bug-gallery#12");
     const ImGuiWindow* words = Item("##captions/##words").window();
     settle();

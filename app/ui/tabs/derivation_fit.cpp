@@ -14,8 +14,8 @@ constexpr int kMostColumns = 3;
 
 }  // namespace
 
-float DerivationPanel::width_of_lines(const Look& look) {
-    return std::min(look.px(kDerivationWidth), ImGui::GetIO().DisplaySize.x) - 2 * look.px(kMargin) - look.px(kGutter);
+float DerivationPanel::width_of_lines(const Look& look) const {
+    return std::min(look.px(column_width()), ImGui::GetIO().DisplaySize.x) - 2 * look.px(kMargin) - look.px(kGutter);
 }
 
 float DerivationPanel::height_of(const Look& look, const Passage& passage) {
@@ -23,6 +23,14 @@ float DerivationPanel::height_of(const Look& look, const Passage& passage) {
     if (!passage.title.empty()) height += look.shrink * look.fonts.strong->FontSize + look.px(8);
     for (const Passage::Row& row : passage.rows) height += row.above + row.box.height();
     return height;
+}
+
+// Words break anywhere, but equations need their width.
+bool DerivationPanel::fits_into_columns(const Look& look) const {
+    return std::ranges::all_of(passages_, [&](const Passage& passage) {
+        return std::ranges::all_of(passage.rows,
+                                   [&](const Passage::Row& row) { return row.box.width <= width_of_lines(look); });
+    });
 }
 
 float DerivationPanel::notes_height(const Look& look) const {
@@ -51,16 +59,21 @@ float DerivationPanel::height_in(const Look& look, int columns) const {
 }
 
 void DerivationPanel::fit(const Look& look, const Scene& scene, const Frame& frame, ImVec2 room) {
-    const Fitted wanted{basis_of(scene, frame, width_of_lines(look)), lines_shown(), room};
+    const Fitted wanted{basis_of(scene, frame, look.px(kDerivationWidth)), lines_shown(), room};
     if (fitted_for_ == wanted) return;
-    lay_out(look, scene, frame);
     Fit best{1, 0.0f};
-    for (int columns = 1; columns <= kMostColumns; ++columns) {
-        const float shrink =
-            std::min({1.0f, room.y / height_in(look, columns),
-                      kMostOfWidth * room.x / (static_cast<float>(columns) * look.px(kDerivationWidth))});
-        if (shrink > best.shrink) best = {columns, shrink};
+    for (const float narrow : {1.0f, 0.85f, 0.7f}) {
+        fit_.narrow = narrow;
+        lay_out(look, scene, frame);
+        if (narrow < 1.0f && !fits_into_columns(look)) break;
+        for (int columns = 1; columns <= kMostColumns; ++columns) {
+            const float shrink =
+                std::min({1.0f, room.y / height_in(look, columns),
+                          kMostOfWidth * room.x / (static_cast<float>(columns) * look.px(column_width()))});
+            if (shrink > best.shrink) best = {columns, shrink, narrow};
+        }
     }
+    fit_.narrow = best.narrow;
     for (int i = 0; i < 4; ++i) {  // words are as wide as whole pixels have them
         const Look smaller = look.smaller(best.shrink);
         lay_out(smaller, scene, frame);

@@ -259,7 +259,7 @@ void DerivationPanel::draw_lines(const Look& look, float width, float height) {
     ImVec2 at{from.x, from.y + notes_height(look)};
     for (std::size_t i = 0; i < lines_shown(); ++i) {
         const float each = height_of(look, passages_[i]);
-        if (at.y > from.y && at.y + each > from.y + height) at = {at.x + look.px(kDerivationWidth), from.y};
+        if (at.y > from.y && at.y + each > from.y + height) at = {at.x + look.px(column_width()), from.y};
         ImGui::SetCursorScreenPos(at);
         passage(look, i, width);
         at.y += each;
@@ -303,7 +303,7 @@ void DerivationPanel::draw(const Look& look, const Scene& scene, const Frame& fr
     if (ImGui::BeginChild("##lines", {width, 0}, ImGuiChildFlags_AlwaysUseWindowPadding,
                           ImGuiWindowFlags_NavFlattened | scrolling | no_keys)) {
         const ImVec2 inside = ImGui::GetContentRegionAvail();
-        room->to_all ? draw_lines(smaller, smaller.px(kDerivationWidth) - 2 * side, inside.y)
+        room->to_all ? draw_lines(smaller, smaller.px(column_width()) - 2 * side, inside.y)
                      : draw_lines(smaller, inside.x, std::numeric_limits<float>::infinity());
     }
     ImGui::EndChild();

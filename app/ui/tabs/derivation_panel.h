@@ -28,7 +28,7 @@ public:
     /// Does nothing without a room.
     void draw(const Look& look, const Scene& scene, const Frame& frame, const std::optional<DerivationRoom>& room);
     /// Logical pixels, as it was drawn last.
-    float width() const { return kDerivationWidth * fit_.shrink * static_cast<float>(fit_.columns); }
+    float width() const { return column_width() * fit_.shrink * static_cast<float>(fit_.columns); }
     /// The laid-out lines hold fonts: to be called when these are made anew.
     void forget_layout() {
         laid_out_for_.reset();
@@ -66,6 +66,7 @@ private:
     struct Fit {
         int columns = 1;
         float shrink = 1.0f;
+        float narrow = 1.0f;  ///< of a column's width, beside its letters
     };
     /// What the fit follows from.
     struct Fitted {
@@ -89,7 +90,9 @@ private:
     void progress(const Look& look);
     void keys();
     void go_to(std::size_t passage);
-    static float width_of_lines(const Look& look);
+    float column_width() const { return kDerivationWidth * fit_.narrow; }
+    float width_of_lines(const Look& look) const;
+    bool fits_into_columns(const Look& look) const;
     static float height_of(const Look& look, const Passage& passage);
     float notes_height(const Look& look) const;
     void draw_notes(const Look& look, float width);
