@@ -265,17 +265,18 @@ std::pair<Box, float> legend_box(const Look& look, const Frame& frame, const Wri
     return {best, hidden};
 }
 
-// Where large words would hide another word or a good part of the object, in small ones; where these would, too, none: the
-// arrows that matter have labels of their own.
+// In a lecture, where large words would hide another word or a good part of the object, in small ones; where these would, too,
+// none if the arrows at the probe have labels of their own.
 Legend legend_of(const Look& look, const Frame& frame, const Writer& writer, const Box& room) {
+    Legend legend;
     for (const ImFont* font : {writer.words(), static_cast<const ImFont*>(look.fonts.small)}) {
-        Legend legend{writer.legend_within({room.high.x - room.low.x, room.high.y - room.low.y}, frame.legend, font),
-                      font};
+        legend = {writer.legend_within({room.high.x - room.low.x, room.high.y - room.low.y}, frame.legend, font), font};
         const auto [box, hidden] = legend_box(look, frame, writer, room, writer.legend_size(legend.entries, font));
         legend.box = box;
-        if (hidden < kWord && std::fmod(hidden, kLine) < kObject / 8.0f) return legend;
+        if (!look.fonts.caption || (hidden < kWord && std::fmod(hidden, kLine) < kObject / 8.0f)) return legend;
     }
-    return {};
+    if (frame.probe && frame.probe->object.has_normal()) legend.entries.clear();
+    return legend;
 }
 
 Cards cards_of(const Look& look, const Frame& frame, const Writer& writer) {
