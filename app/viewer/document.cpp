@@ -33,8 +33,8 @@ std::shared_ptr<Origin> origin_of(const Scene& scene, const std::string& file) {
 
 bool as_named(const Work& work) {
     const Scene &scene = work.scene, &named = work.origin->saved;
-    return scene.about != named.about ||
-           (scene.surface == named.surface && scene.stack == named.stack && scene.mistake == named.mistake);
+    return scene.about != named.about || (scene.surface == named.surface && scene.stack == named.stack &&
+                                          scene.mistake == named.mistake && scene.power == named.power);
 }
 
 Scene given(const Work& work) {

@@ -11,11 +11,16 @@ namespace {
 
 std::string degrees(double angle) { return with_decimals(angle, 1) + "°"; }
 
-std::string about(const NormalMatrices& m) {
+std::string about(const NormalMatrices& m, const Scene& scene) {
     if (m.rank == 2)
         return "The object is flattened: M has no inverse, and the cofactor matrix still gives its normal.";
     if (m.rank < 2) return "M leaves no surface: there is no normal.";
-    const double bound = m.error_bound_degrees().value_or(0.0);
+    const double p = shown_power(scene), bound = m.error_bound_degrees(p).value_or(0.0);
+    if (p != 1.0) {
+        const InNaivePlace shown = in_naive_place(scene);
+        if (bound < 1e-6) return shown.formula + ", " + shown.title + ", has the right direction.";
+        return shown.formula + ", " + shown.title + ", is off by up to " + degrees(bound) + ".";
+    }
     if (bound < 1e-6) return "M stretches equally in every direction: M n has the right direction.";
     return "M stretches unevenly: M n is off by up to " + degrees(bound) + ".";
 }
@@ -32,7 +37,7 @@ std::string as_sentence(std::string about) {
 
 std::string said_of_m(const Scene& scene) {
     const Transform<World, Object> m = world_from_object(scene);
-    return m.affine() ? about(m.normal_matrices_by_rule())
+    return m.affine() ? about(m.normal_matrices_by_rule(), scene)
                       : "M is not affine: normals follow their tangent planes, and no 3×3 rule is right.";
 }
 
