@@ -8,7 +8,7 @@ import { drawn, eachOpens, fileUrl, launch, open, pageFile } from "../web/browse
 
 const runs = Number(process.argv[2] ?? 5);
 const median = (values) => values.sort((a, b) => a - b)[values.length >> 1];
-const browser = await launch();
+const browser = await launch({ moves: true });
 
 // Milliseconds from the navigation on: until the first picture stands, its pixels in memory, and until the last does.
 async function opening(name) {

@@ -4,10 +4,10 @@
 import assert from "node:assert/strict";
 import test from "node:test";
 
-import { eachOpens, fileUrl, launch, listen, open, scene, serve } from "./browser.mjs";
+import { eachOpens, fileUrl, launchFirefox, listen, open, scene, serve } from "./browser.mjs";
 import { sameAsDesktop } from "./compared.mjs";
 
-const browser = await launch("firefox");
+const browser = await launchFirefox();
 test.after(() => browser.close());
 
 test("each scene and lesson, one after the other", async (t) => {
