@@ -221,7 +221,7 @@ TEST_F(WorkTest, AnObjectThatGrewOutOfThePictureIsFoundAgain) {
     tall.stack = {Scale{{1.0, 1e6, 1.0}}};
     save_scene(tall, path("tall.json"));
     open(path("tall.json"));
-    EXPECT_EQ(message(), "F shows the whole object again");
+    EXPECT_EQ(message(), "Press F to see the whole object");
     key(ImGuiKey_F);
     EXPECT_EQ(message(), "");
     key(ImGuiKey_F);

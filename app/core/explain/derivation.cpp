@@ -71,8 +71,8 @@ void remark_not_affine(Step& wanted, Step& tangent, Step& solved, const Parts& p
     }
     wanted.remark =
         "M is not affine: n_world is the image of the tangent plane π = (n_obj, −n_obj · p), w times the first three "
-        "numbers of "
-        "(M⁻¹)ᵀ π; and v_world comes from the Jacobian, (M₃ − p′ rᵀ)/w v_obj, with p′ the image of the point p, rᵀ the "
+        "numbers of (M⁻¹)ᵀ π; and v_world comes from the Jacobian, (M₃ − p′ rᵀ)/w v_obj, with p′ the image of the "
+        "point p, rᵀ the "
         "first "
         "three numbers of M’s bottom row, and w what p′ was divided by";
     tangent.remark =
@@ -93,8 +93,7 @@ void remark(std::vector<Step>& steps, const Parts& p, const std::optional<Rule>&
         return steps.front();
     };
     if (!probed) {
-        at("given").remark =
-            "no numbers here: nothing of the surface can be seen, or the probe is where it has no normal";
+        at("given").remark = "no numbers here: no part of the surface can be seen, or there is no normal at the probe";
         return;
     }
     if (!p.affine) return remark_not_affine(at("wanted"), at("tangent"), at("solved"), p);

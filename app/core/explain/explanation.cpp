@@ -90,8 +90,7 @@ std::vector<std::string> notes(const Scene& scene, const Transform<World, Object
     if (probe && probe->borrowed_from)
         result.push_back(
             "At the probe ∇f is zero or does not exist: there is no normal. What follows borrows that of a neighbour "
-            "on the "
-            "surface, " +
+            "on the surface, " +
             number_text(glm::distance(probe->borrowed_from->xyz, probe->point.xyz), 0.0, 3) + " away.");
     if (probe && !probe->has_normal())
         result.emplace_back(

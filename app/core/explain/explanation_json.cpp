@@ -134,7 +134,7 @@ Json json_of(const MapClaims& c) {
 Json json_of(const GradientReport& g) {
     Json j{{"f", json_number(g.f)},
            {"gradient", json_or_null(g.gradient, [](const auto& v) { return json_vector(v); })},
-           {"length", json_or_null(g.gradient, [](const auto& v) { return json_number(glm::length(v)); })},
+           {"length", json_or_null(g.gradient, [&](const auto&) { return json_number(g.length); })},
            {"normal", json_or_null(g.normal, [](const auto& n) { return json_vector(n.xyz); })}};
     j["differences"] = {{"step", json_number(g.step)},
                         {"gradient", json_vector(g.differences.vector)},

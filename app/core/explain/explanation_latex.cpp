@@ -85,10 +85,7 @@ std::string of_gradient(const Explanation& e) {
     if (!e.gradient) return out;
     const GradientReport& g = *e.gradient;
     out += "At the probe $f = " + latex_number(g.f) + "$" +
-           (g.gradient ? ", $\\nabla f = {}$" + vector(*g.gradient) + ", $|\\nabla f| = " +
-                             (std::isfinite(glm::length(*g.gradient)) ? latex_number(glm::length(*g.gradient))
-                                                                      : "\\text{--}") +
-                             "$"
+           (g.gradient ? ", $\\nabla f = {}$" + vector(*g.gradient) + ", $|\\nabla f| = " + latex_number(g.length) + "$"
                        : "; $\\nabla f$ does not exist") +
            ".\n\n\\begin{tabular}{llr}\n & normal & off by \\\\ \\hline\n";
     const auto row = [](const std::string& what, const glm::dvec3& v, const std::optional<double>& off) {

@@ -127,9 +127,9 @@ std::string of_gradient(const Explanation& e) {
     if (!values.empty()) out += "\n" + paragraph(values, 2);
     if (!e.gradient) return out;
     const GradientReport& g = *e.gradient;
-    const std::string gradient = g.gradient ? ",  ∇f = " + vector_text(*g.gradient) + ",  |∇f| = " +
-                                                  number_text(std::hypot(g.gradient->x, g.gradient->y, g.gradient->z))
-                                            : "; ∇f does not exist";
+    const std::string gradient = g.gradient
+                                     ? ",  ∇f = " + vector_text(*g.gradient) + ",  |∇f| = " + number_text(g.length)
+                                     : "; ∇f does not exist";
     out += "\nAt the probe:\n\n" + indented({"f = " + number_text(g.f) + gradient}, 2);
     const auto row = [](std::string_view what, const glm::dvec3& v, const std::optional<double>& off) {
         return indented({padded(what, 39) + padded(vector_text(v), 34) + (off ? degrees_off(*off) : "–")}, 2);

@@ -37,7 +37,10 @@ std::optional<GradientReport> gradient_report(const Surface& surface, const Prob
     GradientReport report;
     const formulas::Sample exact = implicit.written_at(probe.point);
     report.f = exact.value;
-    if (std::isfinite(exact.gradient.x + exact.gradient.y + exact.gradient.z)) report.gradient = exact.gradient;
+    if (const glm::dvec3& g = exact.gradient; std::isfinite(g.x + g.y + g.z)) {
+        report.gradient = g;
+        report.length = std::hypot(g.x, g.y, g.z);
+    }
     if (!probe.borrowed_from && glm::length(probe.normal.xyz) > 0.0) report.normal = probe.normal;
 
     report.step = kStep * implicit.source().bound;

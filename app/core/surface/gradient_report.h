@@ -11,6 +11,7 @@ namespace normalscope {
 struct GradientReport {
     double f = 0.0;
     std::optional<glm::dvec3> gradient;  ///< empty where it does not exist
+    double length = 0.0;                 ///< of the gradient, however large it is
     /// ∇f / |∇f|; empty where ∇f is zero but for rounding, or does not exist.
     std::optional<Normal<Object>> normal;
 

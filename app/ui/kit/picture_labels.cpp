@@ -23,8 +23,6 @@ namespace {
 
 // Of the picture's width, where words are large: a legend that would be wider goes without its names.
 constexpr float kLegendInLecture = 0.42f;
-// What a legend hides: a word, a line or an arrow, the whole object. No other sum of some of them is as large as a word.
-constexpr float kWord = 1e6f, kLine = 1000.0f, kObject = 100.0f;
 
 ImVec2 extent(const ImFont* font, std::string_view text) {
     return font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.data(), text.data() + text.size());
@@ -217,19 +215,28 @@ std::vector<Box> label_boxes(const Frame& frame, const Writer& writer) {
     return boxes;
 }
 
-// What a box hides of the panes: of lines and arrows, and of the objects.
-float hidden_by(const Box& box, const Frame& frame) {
-    double hidden = 0.0;
+/// What a legend hides: words, lines and arrows, and parts of the objects.
+struct Hidden {
+    int words = 0, lines = 0;
+    double objects = 0.0;  ///< 1: it lies before one as a whole
+
+    // A word outweighs any lines, and a line any objects.
+    double cost() const { return 1e6 * words + 1000.0 * lines + 100.0 * objects; }
+    bool much() const { return words > 0 || objects >= 0.125; }
+};
+Hidden hidden_by(const Box& box, const Frame& frame, const std::vector<Box>& words) {
+    Hidden hidden;
+    for (const Box& word : words) hidden.words += meet(box, word) ? 1 : 0;
     for (const Pane& pane : frame.panes) {
         const glm::dvec2 origin(pane.rect.origin), low = glm::dvec2(box.low.x, box.low.y) - origin,
                                                    high = glm::dvec2(box.high.x, box.high.y) - origin;
-        hidden += double{kObject} * share_within(pane.outline, low, high);
+        hidden.objects += share_within(pane.outline, low, high);
         for (const Stroke& stroke : pane.strokes) {
             const auto line = in_pixels(pane.view, stroke);
-            if (line && line->length_in(0.5 * (low + high), 0.5 * (high - low)) > 0.0) hidden += double{kLine};
+            if (line && line->length_in(0.5 * (low + high), 0.5 * (high - low)) > 0.0) ++hidden.lines;
         }
     }
-    return static_cast<float>(hidden);
+    return hidden;
 }
 
 struct Legend {
@@ -244,23 +251,23 @@ struct Cards {
 };
 
 // In a lecture, or where it is asked for, in the corner of the picture where it hides the least: the lower left one, unless
-// another is better. Also how much it hides there.
-std::pair<Box, float> legend_box(const Look& look, const Frame& frame, const Writer& writer, const Box& room,
-                                 ImVec2 size) {
-    constexpr float kElsewhere = 5.0f;
+// another is better. Also what it hides there.
+std::pair<Box, Hidden> legend_box(const Look& look, const Frame& frame, const Writer& writer, const Box& room,
+                                  ImVec2 size) {
+    constexpr double kElsewhere = 5.0;
     const Box usual{{room.low.x, room.high.y - size.y}, {room.low.x + size.x, room.high.y}};
-    if (!look.fonts.caption && frame.legend_corner == Frame::LegendCorner::LowerLeft) return {usual, 0.0f};
+    if (!look.fonts.caption && frame.legend_corner == Frame::LegendCorner::LowerLeft) return {usual, {}};
     const std::vector<Box> words = label_boxes(frame, writer);
     Box best = usual;
-    float least = std::numeric_limits<float>::infinity(), hidden = 0.0f;
+    double least = std::numeric_limits<double>::infinity();
+    Hidden hidden;
     for (int corner = 0; corner < 4; ++corner) {
         const ImVec2 low{corner % 2 == 0 ? room.low.x : room.high.x - size.x,
                          corner < 2 ? room.high.y - size.y : room.low.y};
         const Box box{low, {low.x + size.x, low.y + size.y}};
-        float covered = hidden_by(box, frame);
-        for (const Box& word : words) covered += meet(box, word) ? kWord : 0.0f;
-        if (const float cost = kElsewhere * static_cast<float>(corner) + covered; cost < least)
-            least = cost, best = box, hidden = covered;
+        const Hidden here = hidden_by(box, frame, words);
+        if (const double cost = kElsewhere * corner + here.cost(); cost < least)
+            least = cost, best = box, hidden = here;
     }
     return {best, hidden};
 }
@@ -273,7 +280,7 @@ Legend legend_of(const Look& look, const Frame& frame, const Writer& writer, con
         legend = {writer.legend_within({room.high.x - room.low.x, room.high.y - room.low.y}, frame.legend, font), font};
         const auto [box, hidden] = legend_box(look, frame, writer, room, writer.legend_size(legend.entries, font));
         legend.box = box;
-        if (!look.fonts.caption || (hidden < kWord && std::fmod(hidden, kLine) < kObject / 8.0f)) return legend;
+        if (!look.fonts.caption || !hidden.much()) return legend;
     }
     if (frame.probe && frame.probe->object.has_normal()) legend.entries.clear();
     return legend;

@@ -65,7 +65,7 @@ void gradient_readout(const Look& look, const Frame& frame, std::optional<Writte
     const Columns c = columns(look);
     dim_text(look, "|∇f|");
     ImGui::SameLine();
-    text_right(report.gradient ? fixed(glm::length(*report.gradient)) : "–", c.right[3]);
+    text_right(report.gradient ? fixed(report.length) : "–", c.right[3]);
     ImGui::PushFont(look.fonts.small);
     dim_text(look, "the normal");
     static constexpr std::array<const char*, 4> kWords{"x", "y", "z", "off by"};
